@@ -1,0 +1,32 @@
+/**
+ * KnotResolver: one ordered contour per frame of a filament that crosses
+ * itself.
+ * <p>
+ * Data walks through the rooms (packages) in this order; a room imports only
+ * from rooms above it:
+ * <ol start="0">
+ * <li>{@code geometry}, {@code progress}: points, polylines, arc length;
+ * progress and cancel</li>
+ * <li>{@code image}: a frame becomes a clean frame</li>
+ * <li>{@code mask}: a clean frame becomes the filament's mask</li>
+ * <li>{@code skeleton}: a mask becomes a one-pixel line</li>
+ * <li>{@code graph}: a skeleton becomes a graph of junctions and segments</li>
+ * <li>{@code candidate}: a graph becomes possible contours with their
+ * price</li>
+ * <li>{@code contour}: a candidate becomes a polyline; distances between
+ * curves</li>
+ * <li>{@code fit}: a polyline becomes a physical filament fitted to the
+ * image</li>
+ * <li>{@code track}: the candidates of all frames become one contour a
+ * frame</li>
+ * <li>{@code measure}: contours become calibrated quantities</li>
+ * <li>{@code pipeline}: the facade that walks 1 to 8</li>
+ * <li>{@code simulate}, {@code evaluate}: side rooms, movies with known truth
+ * and scores against it</li>
+ * <li>{@code io}: results become files</li>
+ * <li>{@code imagej}: the ImageJ edge</li>
+ * <li>{@code command}, {@code cli}: SciJava Commands and the command line</li>
+ * </ol>
+ */
+
+package io.github.knotresolver;

@@ -1,0 +1,10 @@
+
+package io.github.knotresolver.progress;
+
+/** The user asked long work to stop. Not an error: nothing is reported. */
+public final class CancelledException extends RuntimeException {
+
+	public CancelledException() {
+		super("Cancelled.");
+	}
+}

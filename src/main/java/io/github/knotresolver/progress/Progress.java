@@ -1,0 +1,42 @@
+
+package io.github.knotresolver.progress;
+
+/**
+ * Where long work says how far it is, and asks whether it should stop. ImageJ,
+ * the command line and tests are listeners of the same kind. Implementations
+ * must be safe to call from several threads.
+ */
+public interface Progress {
+
+	/** Listens to nothing and never cancels. */
+	Progress NONE = new Progress() {
+
+		@Override
+		public void report(final String stage, final double fraction) {}
+
+		@Override
+		public boolean isCancelled() {
+			return false;
+		}
+	};
+
+	/**
+	 * Called every now and then.
+	 *
+	 * @param stage what is being done, in a few words
+	 * @param fraction how much of this stage is done, 0..1
+	 */
+	void report(String stage, double fraction);
+
+	/** @return whether the user asked to stop */
+	boolean isCancelled();
+
+	/**
+	 * Called in every inner loop that may take longer than a blink.
+	 *
+	 * @throws CancelledException if the user asked to stop
+	 */
+	default void checkCancelled() {
+		if (isCancelled()) throw new CancelledException();
+	}
+}

@@ -1,0 +1,74 @@
+
+package io.github.knotresolver;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+
+import java.util.List;
+
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+
+import org.junit.jupiter.api.Test;
+
+/** Data walks through the rooms in one direction only. */
+class ArchitectureTest {
+
+	private static final String ROOT = "io.github.knotresolver.";
+
+	/** The rooms, in the order in which data walks through them. */
+	private static final List<String> ROOMS = List.of("geometry", "progress",
+		"image", "mask", "skeleton", "graph", "candidate", "contour", "fit",
+		"track", "measure", "pipeline", "simulate", "evaluate", "io", "imagej",
+		"command", "cli");
+
+	private static final JavaClasses CLASSES = new ClassFileImporter()
+		.withImportOption(new ImportOption.DoNotIncludeTests()).importPackages(
+			"io.github.knotresolver");
+
+	@Test
+	void roomImportsOnlyFromRoomsAboveIt() {
+		for (int i = 0; i < ROOMS.size() - 1; i++) {
+			final String[] below = ROOMS.subList(i + 1, ROOMS.size()).stream().map(
+				r -> ROOT + r + "..").toArray(String[]::new);
+			noClasses().that().resideInAPackage(ROOT + ROOMS.get(i) + "..").should()
+				.dependOnClassesThat().resideInAnyPackage(below).allowEmptyShould(true)
+				.check(CLASSES);
+		}
+	}
+
+	@Test
+	void everyPackageIsARoom() {
+		final String[] rooms = ROOMS.stream().map(r -> ROOT + r + "..").toArray(
+			String[]::new);
+		noClasses().should().resideOutsideOfPackages(append(rooms,
+			"io.github.knotresolver")).check(CLASSES);
+	}
+
+	@Test
+	void packagesHaveNoCycles() {
+		slices().matching(ROOT + "(**)").should().beFreeOfCycles().check(CLASSES);
+	}
+
+	@Test
+	void onlyTheEdgeKnowsImageJAndAwt() {
+		noClasses().that().resideOutsideOfPackages(ROOT + "imagej..", ROOT +
+			"command..", ROOT + "cli..").should().dependOnClassesThat()
+			.resideInAnyPackage("ij..", "java.awt..", "javax.swing..", "org.jfree..")
+			.check(CLASSES);
+	}
+
+	@Test
+	void onlyGraphRoomsKnowJGraphT() {
+		noClasses().that().resideOutsideOfPackages(ROOT + "graph..", ROOT +
+			"candidate..", ROOT + "track..").should().dependOnClassesThat()
+			.resideInAnyPackage("org.jgrapht..").check(CLASSES);
+	}
+
+	private static String[] append(final String[] rooms, final String last) {
+		final String[] all = java.util.Arrays.copyOf(rooms, rooms.length + 1);
+		all[rooms.length] = last;
+		return all;
+	}
+}
