@@ -38,9 +38,7 @@ final class AdditiveTerm implements ImageTerm {
 	private int[] nodes = new int[64];
 	private double[] jacobian = new double[128];
 
-	AdditiveTerm(final NormalizedFrame frame, final LineModel line,
-		final int links)
-	{
+	AdditiveTerm(final NormalizedFrame frame, final LineModel line, final int links) {
 		this.frame = frame;
 		brightness = line.brightnessOfLinks(links);
 		sigma2 = line.sigma() * line.sigma();
@@ -57,17 +55,18 @@ final class AdditiveTerm implements ImageTerm {
 
 	@Override
 	public double evaluate(final double[] x, final double[] y, final int links,
-		final NodeSystem system)
-	{
+		final NodeSystem system) {
 		accumulate(x, y, links, system != null);
-		if (system != null) system.clear();
+		if (system != null)
+			system.clear();
 		final double[] pixels = frame.pixels();
 		double sum = 0;
 		for (int b = 0; b < bandSize; b++) {
 			final int at = band[b];
 			final double residual = pixels[at] - model[at];
 			sum += Robust.price(residual) - Robust.price(pixels[at]);
-			if (system != null) addPixel(at, residual, system);
+			if (system != null)
+				addPixel(at, residual, system);
 			model[at] = 0;
 			head[at] = -1;
 		}
@@ -75,9 +74,7 @@ final class AdditiveTerm implements ImageTerm {
 	}
 
 	@Override
-	public void draw(final double[] x, final double[] y, final int links,
-		final double[] picture)
-	{
+	public void draw(final double[] x, final double[] y, final int links, final double[] picture) {
 		accumulate(x, y, links, false);
 		Arrays.fill(picture, 0);
 		for (int b = 0; b < bandSize; b++) {
@@ -89,9 +86,7 @@ final class AdditiveTerm implements ImageTerm {
 	}
 
 	/** Collects a pixel's entries, joining those of neighbouring links. */
-	private void addPixel(final int at, final double residual,
-		final NodeSystem system)
-	{
+	private void addPixel(final int at, final double residual, final NodeSystem system) {
 		int count = 0;
 		for (int e = head[at]; e >= 0; e = next[e]) {
 			if (count + 2 > nodes.length) {
@@ -116,25 +111,20 @@ final class AdditiveTerm implements ImageTerm {
 	}
 
 	private void accumulate(final double[] x, final double[] y, final int links,
-		final boolean slopes)
-	{
+		final boolean slopes) {
 		bandSize = 0;
 		entries = 0;
 		for (int i = 0; i < links; i++)
 			visitLink(i, x[i], y[i], x[i + 1], y[i + 1], slopes);
 	}
 
-	private void visitLink(final int i, final double ax, final double ay,
-		final double bx, final double by, final boolean slopes)
-	{
+	private void visitLink(final int i, final double ax, final double ay, final double bx,
+		final double by, final boolean slopes) {
 		final int left = Math.max(0, (int) Math.ceil(Math.min(ax, bx) - reach));
-		final int right = Math.min(frame.width() - 1, (int) Math.floor(Math.max(ax,
-			bx) + reach));
+		final int right = Math.min(frame.width() - 1, (int) Math.floor(Math.max(ax, bx) + reach));
 		final int top = Math.max(0, (int) Math.ceil(Math.min(ay, by) - reach));
-		final int bottom = Math.min(frame.height() - 1, (int) Math.floor(Math.max(
-			ay, by) + reach));
-		final double l = Math.hypot(bx - ax, by - ay), ux = (bx - ax) / l, uy =
-			(by - ay) / l;
+		final int bottom = Math.min(frame.height() - 1, (int) Math.floor(Math.max(ay, by) + reach));
+		final double l = Math.hypot(bx - ax, by - ay), ux = (bx - ax) / l, uy = (by - ay) / l;
 		for (int row = top; row <= bottom; row++)
 			for (int column = left; column <= right; column++) {
 				final double px = column - ax, py = row - ay;
@@ -143,11 +133,14 @@ final class AdditiveTerm implements ImageTerm {
 					continue;
 				final double across = brightness[i] * gauss.at(n * n);
 				final double value = across * (cumulative(t) - cumulative(t - l));
-				if (value < DARK) continue;
+				if (value < DARK)
+					continue;
 				final int at = row * frame.width() + column;
-				if (head[at] == -1 && model[at] == 0) band[bandSize++] = at;
+				if (head[at] == -1 && model[at] == 0)
+					band[bandSize++] = at;
 				model[at] += value;
-				if (slopes) addEntry(at, i, value, across, t, n, l, ux, uy);
+				if (slopes)
+					addEntry(at, i, value, across, t, n, l, ux, uy);
 			}
 	}
 
@@ -156,19 +149,17 @@ final class AdditiveTerm implements ImageTerm {
 		return t < 0 ? error.at(-t) : 1 - error.at(t);
 	}
 
-	private void addEntry(final int at, final int i, final double value,
-		final double across, final double t, final double n, final double l,
-		final double ux, final double uy)
-	{
-		if (entries == next.length) grow();
+	private void addEntry(final int at, final int i, final double value, final double across,
+		final double t, final double n, final double l, final double ux, final double uy) {
+		if (entries == next.length)
+			grow();
 		next[entries] = head[at];
 		link[entries] = i;
 		head[at] = entries;
 		final double begin = across * density * gauss.at(t * t);
 		final double end = across * density * gauss.at((t - l) * (t - l));
 		final double shift = value * n / sigma2, turn = (begin - end) * n / l;
-		final double startAcross = shift * (1 - t / l) - turn, endAcross = shift *
-			t / l + turn;
+		final double startAcross = shift * (1 - t / l) - turn, endAcross = shift * t / l + turn;
 		final int s = 4 * entries;
 		slope[s] = startAcross * -uy - begin * ux;
 		slope[s + 1] = startAcross * ux - begin * uy;

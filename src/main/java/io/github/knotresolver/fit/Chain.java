@@ -15,9 +15,7 @@ public final class Chain {
 	private final double[] theta;
 	private final double linkLength;
 
-	Chain(final double x0, final double y0, final double[] theta,
-		final double linkLength)
-	{
+	Chain(final double x0, final double y0, final double[] theta, final double linkLength) {
 		this.x0 = x0;
 		this.y0 = y0;
 		this.theta = theta;
@@ -33,14 +31,12 @@ public final class Chain {
 	 * @param length total length of the chain in pixels, above 0
 	 * @return the chain, starting at the curve's first point
 	 */
-	public static Chain along(final Polyline curve, final int links,
-		final double length)
-	{
+	public static Chain along(final Polyline curve, final int links, final double length) {
 		final Polyline nodes = curve.divided(links);
 		final double[] theta = new double[links];
 		for (int i = 0; i < links; i++) {
-			final double angle = Math.atan2(nodes.y(i + 1) - nodes.y(i), nodes.x(i +
-				1) - nodes.x(i));
+			final double angle = Math.atan2(nodes.y(i + 1) - nodes.y(i),
+				nodes.x(i + 1) - nodes.x(i));
 			theta[i] = i == 0 ? angle : nearest(angle, theta[i - 1]);
 		}
 		return new Chain(nodes.x(0), nodes.y(0), theta, length / links);
@@ -90,8 +86,7 @@ public final class Chain {
 	 * @return the nodes as a polyline of {@code links() + 1} points, in pixels
 	 */
 	public Polyline polyline() {
-		final double[] x = new double[theta.length + 1], y =
-			new double[theta.length + 1];
+		final double[] x = new double[theta.length + 1], y = new double[theta.length + 1];
 		nodes(x, y);
 		return Polyline.of(x, y);
 	}
@@ -131,7 +126,7 @@ public final class Chain {
 	public double distance(final Chain other) {
 		final int n = theta.length + 1;
 		final double[] ax = new double[n], ay = new double[n], bx = new double[n],
-				by = new double[n];
+			by = new double[n];
 		nodes(ax, ay);
 		other.nodes(bx, by);
 		double sum = 0;
@@ -147,7 +142,6 @@ public final class Chain {
 		final double[] next = new double[theta.length];
 		for (int i = 0; i < next.length; i++)
 			next[i] = theta[i] + scale * step[i + 2];
-		return new Chain(x0 + scale * step[0], y0 + scale * step[1], next,
-			linkLength + linkStep);
+		return new Chain(x0 + scale * step[0], y0 + scale * step[1], next, linkLength + linkStep);
 	}
 }

@@ -47,9 +47,8 @@ public final class FilamentFitter {
 	 * @param clamp where the fixed end is, in pixels; empty if both ends are free
 	 * @param settings weights
 	 */
-	public FilamentFitter(final NormalizedFrame frame, final LineModel model,
-		final int links, final Optional<Point> clamp, final FitSettings settings)
-	{
+	public FilamentFitter(final NormalizedFrame frame, final LineModel model, final int links,
+		final Optional<Point> clamp, final FitSettings settings) {
 		this.image = ImageTerm.of(frame, model, links);
 		this.clamp = clamp;
 		this.settings = settings;
@@ -92,8 +91,7 @@ public final class FilamentFitter {
 	}
 
 	private Fit descend(final Chain start, final Optional<Chain> predicted,
-		final boolean freeLength)
-	{
+		final boolean freeLength) {
 		final ReducedSystem system = new ReducedSystem(links, freeLength);
 		Chain chain = start;
 		double light = light(chain, nodes);
@@ -107,22 +105,24 @@ public final class FilamentFitter {
 			Chain best = null;
 			for (int attempt = 0; attempt < ATTEMPTS && best == null; attempt++) {
 				final Chain trial = step(system, chain, damping, freeLength);
-				final double trialLight = trial == null ? Double.NaN : light(trial,
-					null);
-				final double trialEnergy = trial == null ? Double.NaN : trialLight +
-					priors(trial, predicted);
+				final double trialLight = trial == null ? Double.NaN : light(trial, null);
+				final double trialEnergy = trial == null
+					? Double.NaN
+					: trialLight + priors(trial, predicted);
 				if (trialEnergy < energy) {
 					best = trial;
 					light = trialLight;
 					energy = trialEnergy;
 					damping = Math.max(damping / 5, 1e-6);
-				}
-				else damping = Math.max(damping * 6, 1e-5);
+				} else
+					damping = Math.max(damping * 6, 1e-5);
 			}
-			if (best == null) break;
+			if (best == null)
+				break;
 			chain = best;
 			iteration++;
-			if (before - energy < settings.tolerance() * Math.abs(before)) break;
+			if (before - energy < settings.tolerance() * Math.abs(before))
+				break;
 			light(chain, nodes);
 		}
 		return new Fit(chain, light, light + stiffnessAndClamp(chain), iteration);
@@ -134,8 +134,7 @@ public final class FilamentFitter {
 	}
 
 	private double priors(final Chain chain, final Optional<Chain> predicted) {
-		return stiffnessAndClamp(chain) + predicted.map(p -> memory(chain, p))
-			.orElse(0.0);
+		return stiffnessAndClamp(chain) + predicted.map(p -> memory(chain, p)).orElse(0.0);
 	}
 
 	private double stiffnessAndClamp(final Chain chain) {
@@ -145,8 +144,8 @@ public final class FilamentFitter {
 			bend += d * d;
 		}
 		final double off = clamp.map(c -> c.distanceTo(chain.start())).orElse(0.0);
-		return settings.stiffness() / chain.linkLength() * bend + settings
-			.clampWeight() * off * off;
+		return settings.stiffness() / chain.linkLength() * bend
+			+ settings.clampWeight() * off * off;
 	}
 
 	private double memory(final Chain chain, final Chain predicted) {
@@ -165,13 +164,12 @@ public final class FilamentFitter {
 	 */
 	private static double fullTurns(final Chain chain, final Chain predicted) {
 		final int middle = chain.links() / 2;
-		return Chain.nearest(predicted.angle(middle), chain.angle(middle)) -
-			predicted.angle(middle);
+		return Chain.nearest(predicted.angle(middle), chain.angle(middle))
+			- predicted.angle(middle);
 	}
 
 	private void addPriors(final ReducedSystem system, final Chain chain,
-		final Optional<Chain> predicted)
-	{
+		final Optional<Chain> predicted) {
 		final double[][] m = system.matrix;
 		final double[] v = system.vector;
 		final double bend = settings.stiffness() / chain.linkLength();
@@ -202,9 +200,8 @@ public final class FilamentFitter {
 	}
 
 	/** A damped step, or null if the system is singular even so. */
-	private Chain step(final ReducedSystem system, final Chain chain,
-		final double damping, final boolean freeLength)
-	{
+	private Chain step(final ReducedSystem system, final Chain chain, final double damping,
+		final boolean freeLength) {
 		final int size = system.vector.length;
 		final double[][] damped = new double[size][];
 		for (int i = 0; i < size; i++) {
@@ -213,11 +210,9 @@ public final class FilamentFitter {
 		}
 		final double[] step;
 		try {
-			step = new CholeskyDecomposition(new Array2DRowRealMatrix(damped, false),
-				1e-6, 1e-14).getSolver().solve(new ArrayRealVector(system.vector,
-					false)).toArray();
-		}
-		catch (final NonPositiveDefiniteMatrixException e) {
+			step = new CholeskyDecomposition(new Array2DRowRealMatrix(damped, false), 1e-6, 1e-14)
+				.getSolver().solve(new ArrayRealVector(system.vector, false)).toArray();
+		} catch (final NonPositiveDefiniteMatrixException e) {
 			return null;
 		}
 		double turn = 0;
@@ -225,8 +220,9 @@ public final class FilamentFitter {
 			turn = Math.max(turn, Math.abs(step[i]));
 		final double scale = turn > LARGEST_TURN ? LARGEST_TURN / turn : 1;
 		final double largest = LARGEST_STRETCH * chain.linkLength();
-		final double stretch = freeLength ? Math.max(-largest, Math.min(largest,
-			scale * step[links + 2])) : 0;
+		final double stretch = freeLength
+			? Math.max(-largest, Math.min(largest, scale * step[links + 2]))
+			: 0;
 		return chain.moved(step, scale, stretch);
 	}
 }

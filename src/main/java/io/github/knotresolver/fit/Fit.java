@@ -9,4 +9,5 @@ package io.github.knotresolver.fit;
  * @param energy light plus the prices of bending and of leaving the fixed end
  * @param iterations steps that were taken
  */
-public record Fit(Chain chain,double light,double energy,int iterations){}
+public record Fit(Chain chain, double light, double energy, int iterations) {
+}

@@ -10,10 +10,14 @@ package io.github.knotresolver.fit;
  * @param iterations largest number of accepted steps
  * @param tolerance relative gain of a step below which the fit has converged
  */
-public record FitSettings(double stiffness,double clampWeight,double memory,int iterations,double tolerance){
+public record FitSettings(double stiffness, double clampWeight, double memory, int iterations,
+	double tolerance) {
 
-/** Defaults for tracking. */
-public static final FitSettings DEFAULT=new FitSettings(0.9,3,0.007,25,2e-4);
+	/** Defaults for tracking. */
+	public static final FitSettings DEFAULT = new FitSettings(0.9, 3, 0.007, 25, 2e-4);
 
-/** @return the same with another price of leaving the fixed end */
-public FitSettings withClampWeight(final double weight){return new FitSettings(stiffness,weight,memory,iterations,tolerance);}}
+	/** @return the same with another price of leaving the fixed end */
+	public FitSettings withClampWeight(final double weight) {
+		return new FitSettings(stiffness, weight, memory, iterations, tolerance);
+	}
+}

@@ -25,10 +25,12 @@ public final class LineEstimator {
 	private static final double SMALLEST_POWER = 0.9;
 	private static final double LARGEST_POWER = 6;
 
-	private LineEstimator() {}
+	private LineEstimator() {
+	}
 
 	/** A frame and the curve in it. */
-	public record Example(NormalizedFrame frame, Chain chain) {}
+	public record Example(NormalizedFrame frame, Chain chain) {
+	}
 
 	/**
 	 * What was learned.
@@ -40,9 +42,8 @@ public final class LineEstimator {
 	 * @param residual mean squared residual of the neighbourhood, in units of the
 	 *          amplitude squared
 	 */
-	public record Estimate(LineModel model, double amplitude, double background,
-		double residual)
-	{}
+	public record Estimate(LineModel model, double amplitude, double background, double residual) {
+	}
 
 	/**
 	 * The line of a given kind that explains the examples best.
@@ -52,18 +53,16 @@ public final class LineEstimator {
 	 * @param sigma where to begin, in pixels
 	 * @return the estimate
 	 */
-	public static Estimate estimate(final List<Example> examples,
-		final LineModel.Kind kind, final double sigma)
-	{
+	public static Estimate estimate(final List<Example> examples, final LineModel.Kind kind,
+		final double sigma) {
 		final boolean additive = kind == LineModel.Kind.ADDITIVE;
-		final double[] guess = additive ? new double[] { sigma } : new double[] {
-			sigma, 1.5 };
-		final double[] spread = additive ? new double[] { 0.3 } : new double[] {
-			0.3, 0.4 };
-		final double[] best = new SimplexOptimizer(1e-4, 1e-6).optimize(new MaxEval(
-			120), new InitialGuess(guess), GoalType.MINIMIZE, new ObjectiveFunction(
-				p -> fit(examples, model(kind, p)).residual + outside(p)),
-			new NelderMeadSimplex(spread)).getPoint();
+		final double[] guess = additive ? new double[]{sigma} : new double[]{sigma, 1.5};
+		final double[] spread = additive ? new double[]{0.3} : new double[]{0.3, 0.4};
+		final double[] best = new SimplexOptimizer(1e-4, 1e-6)
+			.optimize(new MaxEval(120), new InitialGuess(guess), GoalType.MINIMIZE,
+				new ObjectiveFunction(p -> fit(examples, model(kind, p)).residual + outside(p)),
+				new NelderMeadSimplex(spread))
+			.getPoint();
 		return fit(examples, model(kind, best));
 	}
 
@@ -74,14 +73,12 @@ public final class LineEstimator {
 
 	private static double outside(final double[] p) {
 		double off = Math.abs(p[0] - clamp(p[0], SMALLEST_SIGMA, LARGEST_SIGMA));
-		if (p.length > 1) off += Math.abs(p[1] - clamp(p[1], SMALLEST_POWER,
-			LARGEST_POWER));
+		if (p.length > 1)
+			off += Math.abs(p[1] - clamp(p[1], SMALLEST_POWER, LARGEST_POWER));
 		return off;
 	}
 
-	private static double clamp(final double value, final double low,
-		final double high)
-	{
+	private static double clamp(final double value, final double low, final double high) {
 		return Math.max(low, Math.min(high, value));
 	}
 
@@ -92,9 +89,7 @@ public final class LineEstimator {
 	 * @param model the line
 	 * @return the estimate
 	 */
-	public static Estimate fit(final List<Example> examples,
-		final LineModel model)
-	{
+	public static Estimate fit(final List<Example> examples, final LineModel model) {
 		double n = 0, sumM = 0, sumI = 0, sumMM = 0, sumMI = 0, sumII = 0;
 		for (final Example example : examples) {
 			final double[] pixels = example.frame.pixels();
@@ -110,12 +105,11 @@ public final class LineEstimator {
 					sumII += pixels[i] * pixels[i];
 				}
 		}
-		final double covariance = sumMI - sumM * sumI / n, variance = sumMM - sumM *
-			sumM / n;
+		final double covariance = sumMI - sumM * sumI / n, variance = sumMM - sumM * sumM / n;
 		final double amplitude = covariance / variance;
 		final double rest = sumII - sumI * sumI / n - amplitude * covariance;
-		return new Estimate(model, amplitude, (sumI - amplitude * sumM) / n, rest /
-			n / (amplitude * amplitude));
+		return new Estimate(model, amplitude, (sumI - amplitude * sumM) / n,
+			rest / n / (amplitude * amplitude));
 	}
 
 	private static double[] draw(final Example example, final LineModel model) {
@@ -130,21 +124,18 @@ public final class LineEstimator {
 	private static boolean[] near(final Example example) {
 		final NormalizedFrame frame = example.frame;
 		final Chain chain = example.chain;
-		final double[] x = new double[chain.links() + 1], y = new double[chain
-			.links() + 1];
+		final double[] x = new double[chain.links() + 1], y = new double[chain.links() + 1];
 		chain.nodes(x, y);
 		final boolean[] near = new boolean[frame.pixels().length];
 		for (int i = 0; i < x.length; i++) {
 			final int left = Math.max(0, (int) Math.ceil(x[i] - NEIGHBOURHOOD));
-			final int right = Math.min(frame.width() - 1, (int) Math.floor(x[i] +
-				NEIGHBOURHOOD));
+			final int right = Math.min(frame.width() - 1, (int) Math.floor(x[i] + NEIGHBOURHOOD));
 			final int top = Math.max(0, (int) Math.ceil(y[i] - NEIGHBOURHOOD));
-			final int bottom = Math.min(frame.height() - 1, (int) Math.floor(y[i] +
-				NEIGHBOURHOOD));
+			final int bottom = Math.min(frame.height() - 1, (int) Math.floor(y[i] + NEIGHBOURHOOD));
 			for (int row = top; row <= bottom; row++)
 				for (int column = left; column <= right; column++)
-					if (Math.hypot(column - x[i], row - y[i]) <= NEIGHBOURHOOD) near[row *
-						frame.width() + column] = true;
+					if (Math.hypot(column - x[i], row - y[i]) <= NEIGHBOURHOOD)
+						near[row * frame.width() + column] = true;
 		}
 		return near;
 	}

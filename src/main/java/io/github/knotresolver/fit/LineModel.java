@@ -21,16 +21,27 @@ import java.util.Arrays;
  * @param brightness relative brightness along the filament, at equal spacing from
  *          the fixed end to the free tip, at least one value
  */
-public record LineModel(Kind kind,double sigma,double power,double[]brightness){
+public record LineModel(Kind kind, double sigma, double power, double[] brightness) {
 
-/** How strands that lie on each other add up. */
-public enum Kind {
+	/** How strands that lie on each other add up. */
+	public enum Kind {
 
 		SATURATING, ADDITIVE
 
 	}
 
-	public LineModel{if(!(sigma>0))throw new IllegalArgumentException("The line's sigma must be above 0 pixels, but is "+sigma+".");if(!(power>=0.5&&power<=10))throw new IllegalArgumentException("The line's power must be from 0.5 to 10, but is "+power+".");if(brightness.length==0)throw new IllegalArgumentException("The brightness along the filament needs at least one value.");brightness=brightness.clone();}
+	public LineModel {
+		if (!(sigma > 0))
+			throw new IllegalArgumentException(
+				"The line's sigma must be above 0 pixels, but is " + sigma + ".");
+		if (!(power >= 0.5 && power <= 10))
+			throw new IllegalArgumentException(
+				"The line's power must be from 0.5 to 10, but is " + power + ".");
+		if (brightness.length == 0)
+			throw new IllegalArgumentException(
+				"The brightness along the filament needs at least one value.");
+		brightness = brightness.clone();
+	}
 
 	/**
 	 * A line of the same brightness everywhere.
@@ -40,10 +51,8 @@ public enum Kind {
 	 * @param power p of the profile
 	 * @return the model
 	 */
-	public static LineModel uniform(final Kind kind, final double sigma,
-		final double power)
-	{
-		return new LineModel(kind, sigma, power, new double[] { 1 });
+	public static LineModel uniform(final Kind kind, final double sigma, final double power) {
+		return new LineModel(kind, sigma, power, new double[]{1});
 	}
 
 	@Override
@@ -66,8 +75,7 @@ public enum Kind {
 			final double at = (i + 0.5) / links * (brightness.length - 1);
 			final int lo = Math.min((int) at, brightness.length - 1);
 			final int hi = Math.min(lo + 1, brightness.length - 1);
-			values[i] = brightness[lo] + (at - lo) * (brightness[hi] -
-				brightness[lo]);
+			values[i] = brightness[lo] + (at - lo) * (brightness[hi] - brightness[lo]);
 		}
 		return values;
 	}
@@ -79,20 +87,19 @@ public enum Kind {
 
 	@Override
 	public boolean equals(final Object o) {
-		return o instanceof LineModel m && kind == m.kind && sigma == m.sigma &&
-			power == m.power && Arrays.equals(brightness, m.brightness);
+		return o instanceof LineModel m && kind == m.kind && sigma == m.sigma && power == m.power
+			&& Arrays.equals(brightness, m.brightness);
 	}
 
 	@Override
 	public int hashCode() {
-		return Arrays.hashCode(new double[] { kind.ordinal(), sigma, power, Arrays
-			.hashCode(brightness) });
+		return Arrays
+			.hashCode(new double[]{kind.ordinal(), sigma, power, Arrays.hashCode(brightness)});
 	}
 
 	@Override
 	public String toString() {
-		return String.format(java.util.Locale.ROOT,
-			"%s line, sigma %.2f px, power %.2f", kind.name().toLowerCase(
-				java.util.Locale.ROOT), sigma, power);
+		return String.format(java.util.Locale.ROOT, "%s line, sigma %.2f px, power %.2f",
+			kind.name().toLowerCase(java.util.Locale.ROOT), sigma, power);
 	}
 }

@@ -33,13 +33,11 @@ final class NodeSystem {
 	 * @param weight of the pixel
 	 * @param residual picture minus model
 	 */
-	void add(final int[] nodes, final double[] jacobian, final int count,
-		final double weight, final double residual)
-	{
+	void add(final int[] nodes, final double[] jacobian, final int count, final double weight,
+		final double residual) {
 		for (int a = 0; a < count; a++) {
 			final int row = 2 * nodes[a];
-			final double wx = weight * jacobian[2 * a], wy = weight * jacobian[2 * a +
-				1];
+			final double wx = weight * jacobian[2 * a], wy = weight * jacobian[2 * a + 1];
 			vector[row] += wx * residual;
 			vector[row + 1] += wy * residual;
 			// Nodes fall, so that the earlier entries are to the right in the matrix.

@@ -7,6 +7,11 @@ package io.github.knotresolver.fit;
  * @param height in pixels
  * @param pixels row by row, {@code width * height} values; not to be changed
  */
-public record NormalizedFrame(int width,int height,double[]pixels){
+public record NormalizedFrame(int width, int height, double[] pixels) {
 
-public NormalizedFrame{if(pixels.length!=width*height)throw new IllegalArgumentException("A frame of "+width+" x "+height+" pixels has "+pixels.length+" values.");}}
+	public NormalizedFrame {
+		if (pixels.length != width * height)
+			throw new IllegalArgumentException("A frame of " + width + " x " + height
+				+ " pixels has " + pixels.length + " values.");
+	}
+}

@@ -30,10 +30,9 @@ final class ReducedSystem {
 	}
 
 	/** Sets the system to that of the image term at a chain. */
-	void reduce(final NodeSystem nodes, final double[] x, final double[] y,
-		final double h)
-	{
-		if (freeLength) reduceLength(nodes, x, y, h);
+	void reduce(final NodeSystem nodes, final double[] x, final double[] y, final double h) {
+		if (freeLength)
+			reduceLength(nodes, x, y, h);
 		sumBehind(nodes);
 		for (int c = 0; c < 2; c++) {
 			vector[c] = pull[c];
@@ -49,9 +48,8 @@ final class ReducedSystem {
 			for (int l = k; l < links; l++) {
 				final double lx = y[l] - y[l + 1], ly = x[l + 1] - x[l];
 				final int column = 2 * (l + 1);
-				set(k + 2, l + 2, kx * (blocks[row][column] * lx + blocks[row][column +
-					1] * ly) + ky * (blocks[row + 1][column] * lx + blocks[row +
-						1][column + 1] * ly));
+				set(k + 2, l + 2, kx * (blocks[row][column] * lx + blocks[row][column + 1] * ly)
+					+ ky * (blocks[row + 1][column] * lx + blocks[row + 1][column + 1] * ly));
 			}
 		}
 	}
@@ -78,19 +76,18 @@ final class ReducedSystem {
 				}
 				row[i] = sumX + nodes.matrix[offset + i];
 				row[i + 1] = sumY + nodes.matrix[offset + i + 1];
-				pull[i + c] = nodes.vector[i + c] + (below == null ? 0 : pull[i + 2 +
-					c]);
+				pull[i + c] = nodes.vector[i + c] + (below == null ? 0 : pull[i + 2 + c]);
 			}
-			if (i + 2 < size) for (int c = 0; c < 2; c++)
-				for (int d = 0; d < 2; d++)
-					blocks[i + c][i + d] += blocks[i + d][i + 2 + c];
+			if (i + 2 < size)
+				for (int c = 0; c < 2; c++)
+					for (int d = 0; d < 2; d++)
+						blocks[i + c][i + d] += blocks[i + d][i + 2 + c];
 		}
 	}
 
 	/** The last unknown, h: every node moves by (P - P0) / h. */
-	private void reduceLength(final NodeSystem nodes, final double[] x,
-		final double[] y, final double h)
-	{
+	private void reduceLength(final NodeSystem nodes, final double[] x, final double[] y,
+		final double h) {
 		final int size = nodes.size, last = links + 2;
 		final double[] d = new double[size];
 		for (int i = 0; i <= links; i++) {
@@ -107,8 +104,8 @@ final class ReducedSystem {
 		vector[last] = right;
 		double behindX = 0, behindY = 0;
 		for (int k = links; k >= 0; k--) {
-			if (k < links) set(k + 2, last, (y[k] - y[k + 1]) * behindX + (x[k + 1] -
-				x[k]) * behindY);
+			if (k < links)
+				set(k + 2, last, (y[k] - y[k + 1]) * behindX + (x[k + 1] - x[k]) * behindY);
 			behindX += gd[2 * k];
 			behindY += gd[2 * k + 1];
 		}
@@ -126,8 +123,8 @@ final class ReducedSystem {
 		for (int i = 0; i < size; i++) {
 			final int firstRight = i - i % 2 + 2;
 			final int offset = i * size;
-			product[i] += nodes.matrix[offset + firstRight - 2] * d[firstRight - 2] +
-				nodes.matrix[offset + firstRight - 1] * d[firstRight - 1];
+			product[i] += nodes.matrix[offset + firstRight - 2] * d[firstRight - 2]
+				+ nodes.matrix[offset + firstRight - 1] * d[firstRight - 1];
 			for (int j = firstRight; j < size; j++) {
 				product[i] += nodes.matrix[offset + j] * d[j];
 				product[j] += nodes.matrix[offset + j] * d[i];

@@ -13,7 +13,8 @@ final class Robust {
 
 	private static final double INVERSE_SQUARE = 1 / (SCALE * SCALE);
 
-	private Robust() {}
+	private Robust() {
+	}
 
 	static double price(final double residual) {
 		final double r2 = residual * residual;

@@ -24,7 +24,8 @@ final class Table {
 	}
 
 	double at(final double argument) {
-		if (argument >= limit) return 0;
+		if (argument >= limit)
+			return 0;
 		final double f = argument * scale;
 		final int i = (int) f;
 		return values[i] + (f - i) * (values[i + 1] - values[i]);

@@ -26,8 +26,8 @@ class FilamentFitterTest {
 		final FilamentFitter fitter = new FilamentFitter(frame, model, LINKS,
 			Optional.of(truth.start()), new FitSettings(1e-4, 3, 0, 60, 1e-9));
 		final Fit fit = fitter.fit(loop(0.40), Optional.empty());
-		assertTrue(fit.chain().distance(truth) < 0.02, kind + " is off by " + fit
-			.chain().distance(truth) + " px");
+		assertTrue(fit.chain().distance(truth) < 0.02,
+			kind + " is off by " + fit.chain().distance(truth) + " px");
 	}
 
 	@ParameterizedTest
@@ -37,24 +37,22 @@ class FilamentFitterTest {
 			kind == LineModel.Kind.ADDITIVE ? 1 : 1.5);
 		final Chain truth = loop(0.2);
 		final NormalizedFrame frame = picture(truth, model);
-		final FilamentFitter fitter = new FilamentFitter(frame, model, LINKS,
-			Optional.empty(), new FitSettings(1e-4, 0, 0, 100, 1e-10));
+		final FilamentFitter fitter = new FilamentFitter(frame, model, LINKS, Optional.empty(),
+			new FitSettings(1e-4, 0, 0, 100, 1e-10));
 		final Polyline curve = truth.polyline();
-		final Fit fit = fitter.fitLength(Chain.along(curve.head(108).reversed()
-			.head(100).reversed(), LINKS, 100));
+		final Fit fit = fitter
+			.fitLength(Chain.along(curve.head(108).reversed().head(100).reversed(), LINKS, 100));
 		assertEquals(truth.length(), fit.chain().length(), 0.05);
-		assertTrue(fit.chain().distance(truth) < 0.05, kind + " is off by " + fit
-			.chain().distance(truth) + " px");
+		assertTrue(fit.chain().distance(truth) < 0.05,
+			kind + " is off by " + fit.chain().distance(truth) + " px");
 	}
 
-	private static NormalizedFrame picture(final Chain chain,
-		final LineModel model)
-	{
+	private static NormalizedFrame picture(final Chain chain, final LineModel model) {
 		final double[] x = new double[LINKS + 1], y = new double[LINKS + 1];
 		chain.nodes(x, y);
 		final double[] picture = new double[SIZE * SIZE];
-		ImageTerm.of(new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]),
-			model, LINKS).draw(x, y, LINKS, picture);
+		ImageTerm.of(new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]), model, LINKS).draw(x,
+			y, LINKS, picture);
 		return new NormalizedFrame(SIZE, SIZE, picture);
 	}
 

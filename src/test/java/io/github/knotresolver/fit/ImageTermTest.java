@@ -39,8 +39,8 @@ class ImageTermTest {
 				moved[k / 2] = at - step;
 				final double down = term.evaluate(x, y, LINKS, null);
 				moved[k / 2] = at;
-				assertEquals((up - down) / (2 * step), -2 * system.vector[k], 0.05 *
-					scale, kind + ", seed " + seed + ", unknown " + k);
+				assertEquals((up - down) / (2 * step), -2 * system.vector[k], 0.05 * scale,
+					kind + ", seed " + seed + ", unknown " + k);
 			}
 		}
 	}
@@ -77,38 +77,35 @@ class ImageTermTest {
 
 	@Test
 	void crossingIsBrighterOnlyInTheAdditiveModel() {
-		final Chain cross = Chain.along(Polyline.of(new double[] { 10, 50, 50, 30,
-			30 }, new double[] { 30, 30, 10, 10, 50 }), 60, 120);
+		final Chain cross = Chain.along(
+			Polyline.of(new double[]{10, 50, 50, 30, 30}, new double[]{30, 30, 10, 10, 50}), 60,
+			120);
 		final double[] x = new double[61], y = new double[61];
 		cross.nodes(x, y);
 		final double[] picture = new double[SIZE * SIZE];
-		final NormalizedFrame dark = new NormalizedFrame(SIZE, SIZE,
-			new double[SIZE * SIZE]);
-		ImageTerm.of(dark, LineModel.uniform(LineModel.Kind.ADDITIVE, 1.5, 1), 60)
-			.draw(x, y, 60, picture);
+		final NormalizedFrame dark = new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]);
+		ImageTerm.of(dark, LineModel.uniform(LineModel.Kind.ADDITIVE, 1.5, 1), 60).draw(x, y, 60,
+			picture);
 		assertEquals(2, picture[30 * SIZE + 30], 0.05);
 		assertEquals(1, picture[30 * SIZE + 20], 0.01);
-		ImageTerm.of(dark, LineModel.uniform(LineModel.Kind.SATURATING, 1.5, 1), 60)
-			.draw(x, y, 60, picture);
+		ImageTerm.of(dark, LineModel.uniform(LineModel.Kind.SATURATING, 1.5, 1), 60).draw(x, y, 60,
+			picture);
 		assertEquals(1, picture[30 * SIZE + 30], 0.05);
 	}
 
 	private static LineModel model(final LineModel.Kind kind) {
-		return LineModel.uniform(kind, 1.7, kind == LineModel.Kind.ADDITIVE ? 1
-			: 1.5);
+		return LineModel.uniform(kind, 1.7, kind == LineModel.Kind.ADDITIVE ? 1 : 1.5);
 	}
 
 	/**
 	 * A picture of a chain that is not quite the one that is fitted, with noise.
 	 */
-	private static NormalizedFrame noisyFrame(final LineModel model,
-		final Random random)
-	{
+	private static NormalizedFrame noisyFrame(final LineModel model, final Random random) {
 		final double[] x = new double[LINKS + 1], y = new double[LINKS + 1];
 		loop(random).nodes(x, y);
 		final double[] picture = new double[SIZE * SIZE];
-		ImageTerm.of(new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]),
-			model, LINKS).draw(x, y, LINKS, picture);
+		ImageTerm.of(new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]), model, LINKS).draw(x,
+			y, LINKS, picture);
 		for (int i = 0; i < picture.length; i++)
 			picture[i] += 0.05 * random.nextGaussian();
 		return new NormalizedFrame(SIZE, SIZE, picture);
@@ -119,19 +116,15 @@ class ImageTermTest {
 		final double[] theta = new double[LINKS];
 		for (int i = 0; i < LINKS; i++)
 			theta[i] = 0.1 * random.nextGaussian() + (i < 8 ? 0 : (i - 8) * 0.45);
-		return new Chain(15 + random.nextDouble(), 40 + random.nextDouble(), theta,
-			3);
+		return new Chain(15 + random.nextDouble(), 40 + random.nextDouble(), theta, 3);
 	}
 
 	private static double full(final NodeSystem nodes, final int i, final int j) {
 		final boolean upper = i / 2 <= j / 2;
-		return upper ? nodes.matrix[i * nodes.size + j] : nodes.matrix[j *
-			nodes.size + i];
+		return upper ? nodes.matrix[i * nodes.size + j] : nodes.matrix[j * nodes.size + i];
 	}
 
-	private static double[][] jacobian(final double[] x, final double[] y,
-		final double h)
-	{
+	private static double[][] jacobian(final double[] x, final double[] y, final double h) {
 		final double[][] j = new double[2 * LINKS + 2][LINKS + 3];
 		for (int i = 0; i <= LINKS; i++) {
 			j[2 * i][0] = 1;
