@@ -16,7 +16,8 @@ final class Likeness {
 	/** Alike walks stay this near (pixels) to each other. */
 	private static final double NEAR = 4;
 
-	private Likeness() {}
+	private Likeness() {
+	}
 
 	static Polyline sample(final Candidate candidate) {
 		final Polyline path = candidate.path();
@@ -34,9 +35,11 @@ final class Likeness {
 
 	static boolean alike(final Polyline a, final Polyline b) {
 		final int n = Math.min(a.size(), b.size());
-		if (Math.abs(a.size() - b.size()) * STEP > NEAR) return false;
+		if (Math.abs(a.size() - b.size()) * STEP > NEAR)
+			return false;
 		for (int i = n - 1; i >= 0; i--)
-			if (Math.hypot(a.x(i) - b.x(i), a.y(i) - b.y(i)) > NEAR) return false;
+			if (Math.hypot(a.x(i) - b.x(i), a.y(i) - b.y(i)) > NEAR)
+				return false;
 		return true;
 	}
 }

@@ -11,7 +11,8 @@ import io.github.knotresolver.geometry.Polyline;
  */
 public final class EqualArcDistance {
 
-	private EqualArcDistance() {}
+	private EqualArcDistance() {
+	}
 
 	/**
 	 * Mean distance of the points at equal arc length from the first points, over
@@ -33,9 +34,7 @@ public final class EqualArcDistance {
 	}
 
 	/** The same for curves that are sampled at one pixel already. */
-	static double mean(final double[] ax, final double[] ay, final double[] bx,
-		final double[] by)
-	{
+	static double mean(final double[] ax, final double[] ay, final double[] bx, final double[] by) {
 		final int n = Math.min(ax.length, bx.length);
 		double sum = 0;
 		for (int i = 0; i < n; i++)

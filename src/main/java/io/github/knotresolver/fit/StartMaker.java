@@ -1,10 +1,10 @@
 package io.github.knotresolver.fit;
 
-import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.geometry.Polyline;
-
 import java.util.ArrayList;
 import java.util.List;
+
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
 
 /**
  * Turns a contour that a skeleton proposes into a chain of the known length. A
@@ -68,8 +68,8 @@ public final class StartMaker {
 		final List<Point> points = new ArrayList<>();
 		for (int i = 0; i < curve.size(); i++)
 			points.add(curve.point(i));
-		points.add(new Point(tip.x() + by * (tip.x() - back.x()) / base, tip.y() + by * (tip.y() - back.y())
-			/ base));
+		points.add(new Point(tip.x() + by * (tip.x() - back.x()) / base,
+			tip.y() + by * (tip.y() - back.y()) / base));
 		return Polyline.of(points);
 	}
 }

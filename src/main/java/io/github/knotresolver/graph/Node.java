@@ -12,10 +12,10 @@ import io.github.knotresolver.geometry.Point;
  * @param position where it is, in pixels: the centroid of its pixels
  * @param pixels its pixels, in scan order
  */
-public record Node(int id,Kind kind,Point position,List<Point>pixels){
+public record Node(int id, Kind kind, Point position, List<Point> pixels) {
 
-/** What a vertex stands for. */
-public enum Kind {
+	/** What a vertex stands for. */
+	public enum Kind {
 
 		/** Branch pixels merged by 8-connectivity. */
 		JUNCTION,
@@ -28,7 +28,9 @@ public enum Kind {
 
 	}
 
-	public Node{pixels=List.copyOf(pixels);}
+	public Node {
+		pixels = List.copyOf(pixels);
+	}
 
 	/**
 	 * @return whether segments meet here, as opposed to merely passing or ending

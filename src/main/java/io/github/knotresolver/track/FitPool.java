@@ -1,9 +1,9 @@
 package io.github.knotresolver.track;
 
-import io.github.knotresolver.fit.Fit;
-
 import java.util.ArrayList;
 import java.util.List;
+
+import io.github.knotresolver.fit.Fit;
 
 /**
  * The different fits of one frame. Two fits whose nodes are less than a pixel

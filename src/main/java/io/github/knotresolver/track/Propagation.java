@@ -1,15 +1,15 @@
 package io.github.knotresolver.track;
 
-import io.github.knotresolver.fit.Chain;
-import io.github.knotresolver.fit.FilamentFitter;
-import io.github.knotresolver.fit.Fit;
-import io.github.knotresolver.progress.Progress;
-
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntFunction;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.FilamentFitter;
+import io.github.knotresolver.fit.Fit;
+import io.github.knotresolver.progress.Progress;
 
 /**
  * Carries the best few hypotheses through the movie in one direction of time: in
@@ -88,8 +88,8 @@ final class Propagation {
 			for (final Chain start : starts) {
 				final Fit fit = fitter.fit(start, Optional.of(heading.orElse(here)));
 				fits.add(fit);
-				next.add(new Hypothesis(fit, Optional.of(here), h.total + fit.energy() + motion.between(here,
-					fit.chain())));
+				next.add(new Hypothesis(fit, Optional.of(here),
+					h.total + fit.energy() + motion.between(here, fit.chain())));
 			}
 		}
 		return fits;
@@ -97,12 +97,11 @@ final class Propagation {
 
 	/** A proposal joins the way that leads to it most cheaply. */
 	private Hypothesis joined(final Fit proposal, final List<Hypothesis> beam) {
-		Hypothesis best = new Hypothesis(proposal, Optional.empty(), beam.isEmpty()
-			? proposal.energy()
-			: Double.POSITIVE_INFINITY);
+		Hypothesis best = new Hypothesis(proposal, Optional.empty(),
+			beam.isEmpty() ? proposal.energy() : Double.POSITIVE_INFINITY);
 		for (final Hypothesis h : beam) {
-			final double total = h.total + proposal.energy() + motion.between(h.fit.chain(), proposal
-				.chain());
+			final double total = h.total + proposal.energy()
+				+ motion.between(h.fit.chain(), proposal.chain());
 			if (total < best.total)
 				best = new Hypothesis(proposal, Optional.of(h.fit.chain()), total);
 		}
