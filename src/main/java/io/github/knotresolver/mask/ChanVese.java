@@ -34,11 +34,11 @@ public final class ChanVese {
 	 * where curvature, in 1/px, is positive where the mask is convex. Without
 	 * smoothing the front comes to rest at the intensity that lies at (1 +
 	 * contractionBias) / 2 of the way from outside to inside: half way for 0, 70
-	 * % for 0.4. The first term is held within -1..1, and is 0 if it is no brighter inside than
-	 * outside: a mask that has lost its object shrinks by its bias. One iteration moves the
-	 * front by at most half a pixel. A mask that vanishes stays empty, and a mask
-	 * that fills the frame, or is no brighter than what is around it, is left as
-	 * it is. Pixels without a value (NaN) count as the lowest of the frame.
+	 * % for 0.4. The first term is held within -1..1, and is 0 if it is no
+	 * brighter inside than outside: a mask that has lost its object shrinks by its
+	 * bias. One iteration moves the front by at most half a pixel. A mask that
+	 * vanishes stays empty, and a mask that fills the frame has no front and stays
+	 * as it is. Pixels without a value (NaN) count as the lowest of the frame.
 	 * O(iterations * length of the front).
 	 * <p>
 	 * Chan and Vese 2001, doi:10.1109/83.902291; the band is Whitaker's sparse

@@ -47,17 +47,13 @@ public final class LocalContrast {
 		final int width = Pixels.width(frame);
 		final WindowMeans bright = new WindowMeans(values, inside, true, width);
 		final WindowMeans dark = new WindowMeans(values, inside, false, width);
+		final double least = LEAST * (bright.all() - dark.all());
 		final float[] normalized = new float[values.length];
 		for (int at = 0; at < values.length; at++) {
-			double high = lower(bright.all(), bright.around(at, radius));
-			double low = higher(dark.all(), dark.around(at, radius));
-			if (!(high - low > LEAST * (bright.all() - dark.all()))) {
-				high = bright.all();
-				low = dark.all();
-			}
-			if (high > low)
-				normalized[at] = (float) Math.max(0,
-					Math.min(1, (values[at] - low) / (high - low)));
+			final double high = lower(bright.all(), bright.around(at, radius));
+			final double low = higher(dark.all(), dark.around(at, radius));
+			normalized[at] = high - low > least ? between(low, high, values[at])
+				: between(dark.all(), bright.all(), values[at]);
 		}
 		return Pixels.image(normalized, width);
 	}
