@@ -1,0 +1,29 @@
+package io.github.knotresolver.fit;
+
+/**
+ * A frame in the units of the fit: background 0, a single bright strand 1.
+ *
+ * @param width in pixels
+ * @param height in pixels
+ * @param pixels row by row, {@code width * height} values; not to be changed
+ */
+public record NormalizedFrame(int width, int height, double[] pixels) {
+
+	public NormalizedFrame {
+		if (pixels.length != width * height)
+			throw new IllegalArgumentException("A frame of " + width + " x " + height
+				+ " pixels has " + pixels.length + " values.");
+	}
+
+	/**
+	 * @param background the value that becomes 0
+	 * @param amplitude the height above it that becomes 1
+	 * @return the frame in new units
+	 */
+	public NormalizedFrame rescaled(final double background, final double amplitude) {
+		final double[] scaled = new double[pixels.length];
+		for (int i = 0; i < scaled.length; i++)
+			scaled[i] = (pixels[i] - background) / amplitude;
+		return new NormalizedFrame(width, height, scaled);
+	}
+}
