@@ -52,7 +52,8 @@ public final class LocalContrast {
 		for (int at = 0; at < values.length; at++) {
 			final double high = lower(bright.all(), bright.around(at, radius));
 			final double low = higher(dark.all(), dark.around(at, radius));
-			normalized[at] = high - low > least ? between(low, high, values[at])
+			normalized[at] = high - low > least
+				? between(low, high, values[at])
 				: between(dark.all(), bright.all(), values[at]);
 		}
 		return Pixels.image(normalized, width);

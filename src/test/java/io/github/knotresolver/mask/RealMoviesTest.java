@@ -63,8 +63,8 @@ class RealMoviesTest {
 		final Path file = DATA.resolve(name);
 		assumeTrue(Files.exists(file), "Not here: " + file);
 		final ImagePlus movie = IJ.openImage(file.toString());
-		final FilamentSegmenter segmenter = new FilamentSegmenter(
-			Segmentation.DEFAULT, thresholder);
+		final FilamentSegmenter segmenter = new FilamentSegmenter(Segmentation.DEFAULT,
+			thresholder);
 		final FrameCleaner cleaner = new FrameCleaner(Cleaning.DEFAULT);
 		final List<Img<BitType>> all = new ArrayList<>();
 		for (int t = 1; t <= movie.getStackSize(); t++) {
