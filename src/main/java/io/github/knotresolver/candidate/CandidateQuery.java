@@ -16,16 +16,29 @@ import io.github.knotresolver.graph.SkeletonGraph;
  * @param length the filament's length in pixels, above 0; empty if not known
  * @param template the last resolved contour; empty if there is none
  */
-public record CandidateQuery(SkeletonGraph graph,Point fixedEnd,OptionalDouble length,Optional<Polyline>template){
+public record CandidateQuery(SkeletonGraph graph, Point fixedEnd, OptionalDouble length,
+	Optional<Polyline> template) {
 
-public CandidateQuery{Objects.requireNonNull(graph);Objects.requireNonNull(fixedEnd);Objects.requireNonNull(template);if(length.isPresent()&&!(length.getAsDouble()>0))throw new IllegalArgumentException("The filament's length must be above 0 pixels, but is "+length.getAsDouble()+".");}
+	public CandidateQuery {
+		Objects.requireNonNull(graph);
+		Objects.requireNonNull(fixedEnd);
+		Objects.requireNonNull(template);
+		if (length.isPresent() && !(length.getAsDouble() > 0))
+			throw new IllegalArgumentException(
+				"The filament's length must be above 0 pixels, but is " + length.getAsDouble()
+					+ ".");
+	}
 
-/**
- * A query without a template.
- *
- * @param graph the frame's skeleton
- * @param fixedEnd the fixed end in pixels
- * @param length the filament's length in pixels; empty if not known
- * @return the query
- */
-public static CandidateQuery of(final SkeletonGraph graph,final Point fixedEnd,final OptionalDouble length){return new CandidateQuery(graph,fixedEnd,length,Optional.empty());}}
+	/**
+	 * A query without a template.
+	 *
+	 * @param graph the frame's skeleton
+	 * @param fixedEnd the fixed end in pixels
+	 * @param length the filament's length in pixels; empty if not known
+	 * @return the query
+	 */
+	public static CandidateQuery of(final SkeletonGraph graph, final Point fixedEnd,
+		final OptionalDouble length) {
+		return new CandidateQuery(graph, fixedEnd, length, Optional.empty());
+	}
+}

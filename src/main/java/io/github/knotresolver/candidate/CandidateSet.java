@@ -9,6 +9,9 @@ import java.util.List;
  * @param limited whether a limit of the search was hit, so that a better
  *          candidate may have been missed
  */
-public record CandidateSet(List<Candidate>candidates,boolean limited){
+public record CandidateSet(List<Candidate> candidates, boolean limited) {
 
-public CandidateSet{candidates=List.copyOf(candidates);}}
+	public CandidateSet {
+		candidates = List.copyOf(candidates);
+	}
+}

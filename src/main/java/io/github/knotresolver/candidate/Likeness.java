@@ -16,27 +16,20 @@ final class Likeness {
 	/** Alike walks stay this near (pixels) to each other. */
 	private static final double NEAR = 4;
 
-	private Likeness() {}
+	private Likeness() {
+	}
 
 	static Polyline sample(final Candidate candidate) {
-		final Polyline path = candidate.path();
-		final int n = (int) (path.length() / STEP) + 1;
-		final double[] x = new double[n], y = new double[n];
-		int k = 1;
-		for (int i = 0; i < n; i++) {
-			while (k < path.size() - 1 && path.arc(k) < i * STEP)
-				k++;
-			x[i] = path.x(k);
-			y[i] = path.y(k);
-		}
-		return Polyline.of(x, y);
+		return candidate.path().every(STEP);
 	}
 
 	static boolean alike(final Polyline a, final Polyline b) {
 		final int n = Math.min(a.size(), b.size());
-		if (Math.abs(a.size() - b.size()) * STEP > NEAR) return false;
+		if (Math.abs(a.size() - b.size()) * STEP > NEAR)
+			return false;
 		for (int i = n - 1; i >= 0; i--)
-			if (Math.hypot(a.x(i) - b.x(i), a.y(i) - b.y(i)) > NEAR) return false;
+			if (Math.hypot(a.x(i) - b.x(i), a.y(i) - b.y(i)) > NEAR)
+				return false;
 		return true;
 	}
 }

@@ -11,10 +11,14 @@ package io.github.knotresolver.candidate;
  * @param overlap what it walks twice
  * @param start how much farther than need be it begins from the fixed end
  */
-public record Price(double turning,double uncovered,double lengthMisfit,double overlap,double start){
+public record Price(double turning, double uncovered, double lengthMisfit, double overlap,
+	double start) {
 
-/** Nothing speaks against it, or prices do not matter. */
-public static final Price NONE=new Price(0,0,0,0,0);
+	/** Nothing speaks against it, or prices do not matter. */
+	public static final Price NONE = new Price(0, 0, 0, 0, 0);
 
-/** @return the sum of the parts, in pixels */
-public double total(){return turning+uncovered+lengthMisfit+overlap+start;}}
+	/** @return the sum of the parts, in pixels */
+	public double total() {
+		return turning + uncovered + lengthMisfit + overlap + start;
+	}
+}

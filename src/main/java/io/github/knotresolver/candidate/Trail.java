@@ -18,17 +18,16 @@ final class Trail {
 	private final byte[] uses;
 	private final double start;
 
-	private Trail(final Trail before, final Step step, final Course course,
-		final double start, final byte[] uses)
-	{
+	private Trail(final Trail before, final Step step, final Course course, final double start,
+		final byte[] uses) {
 		this.before = before;
 		this.step = step;
 		this.course = course;
 		this.start = start;
 		this.uses = uses;
 		length = (before == null ? 0 : before.length) + step.length();
-		covered = (before == null ? 0 : before.covered) + (uses[step.segment()
-			.id()] == 0 ? step.length() : 0);
+		covered = (before == null ? 0 : before.covered)
+			+ (uses[step.segment().id()] == 0 ? step.length() : 0);
 		uses[step.segment().id()]++;
 	}
 

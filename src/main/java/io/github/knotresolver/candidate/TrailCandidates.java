@@ -33,21 +33,71 @@ import io.github.knotresolver.progress.Progress;
  * @param maxUses how often a segment may be walked, at least 1
  * @param prices weights of the price
  */
-public record TrailCandidates(int limit,int beam,int maxUses,TrailPrices prices)implements CandidateGenerator{
+public record TrailCandidates(int limit, int beam, int maxUses,
+	TrailPrices prices) implements CandidateGenerator {
 
-/** So many raw trails are looked at for each candidate that is wanted. */
-private static final int RAW_PER_CANDIDATE=10;
+	/** So many raw trails are looked at for each candidate that is wanted. */
+	private static final int RAW_PER_CANDIDATE = 10;
 
-/** 40 candidates, every segment at most twice. */
-public static final TrailCandidates DEFAULT=new TrailCandidates(40,1000,2,TrailPrices.DEFAULT);
+	/** 40 candidates, every segment at most twice. */
+	public static final TrailCandidates DEFAULT = new TrailCandidates(40, 1000, 2,
+		TrailPrices.DEFAULT);
 
-public TrailCandidates{if(limit<1||beam<1||maxUses<1||maxUses>Byte.MAX_VALUE)throw new IllegalArgumentException("limit, beam and maxUses of the trails must be at least 1 (maxUses at most "+Byte.MAX_VALUE+"), but are "+limit+", "+beam+" and "+maxUses+".");}
+	public TrailCandidates {
+		if (limit < 1 || beam < 1 || maxUses < 1 || maxUses > Byte.MAX_VALUE)
+			throw new IllegalArgumentException(
+				"limit, beam and maxUses of the trails must be at least 1 (maxUses at most "
+					+ Byte.MAX_VALUE + "), but are " + limit + ", " + beam + " and " + maxUses
+					+ ".");
+	}
 
-@Override public CandidateSet generate(final CandidateQuery query,final Progress progress){final RootedGraph rooted=RootedGraph.of(query.graph(),query.fixedEnd());final SkeletonGraph graph=rooted.graph();final TrailPricing pricing=new TrailPricing(prices,query.length(),reachable(rooted));final TrailSearch search=new TrailSearch(graph,pricing,maxUses,beam,limit*RAW_PER_CANDIDATE);final List<Candidate>raw=search.run(beginnings(rooted,query),progress);return new CandidateSet(different(raw),search.limited());}
+	@Override
+	public CandidateSet generate(final CandidateQuery query, final Progress progress) {
+		final RootedGraph rooted = RootedGraph.of(query.graph(), query.fixedEnd());
+		final SkeletonGraph graph = rooted.graph();
+		final TrailPricing pricing = new TrailPricing(prices, query.length(), reachable(rooted));
+		final TrailSearch search = new TrailSearch(graph, pricing, maxUses, beam,
+			limit * RAW_PER_CANDIDATE);
+		final List<Candidate> raw = search.run(beginnings(rooted, query), progress);
+		return new CandidateSet(different(raw), search.limited());
+	}
 
-private static List<Trail>beginnings(final RootedGraph rooted,final CandidateQuery query){final List<Trail>beginnings=new ArrayList<>();if(rooted.roots().isEmpty())return beginnings;final double nearest=rooted.roots().get(0).position().distanceTo(query.fixedEnd());for(final Node root:rooted.roots()){final double start=Math.max(0,root.position().distanceTo(query.fixedEnd())-nearest);for(final Step step:rooted.graph().stepsFrom(root))beginnings.add(Trail.along(step,rooted.graph().segments().size(),start));}return beginnings;}
+	private static List<Trail> beginnings(final RootedGraph rooted, final CandidateQuery query) {
+		final List<Trail> beginnings = new ArrayList<>();
+		if (rooted.roots().isEmpty())
+			return beginnings;
+		final double nearest = rooted.roots().get(0).position().distanceTo(query.fixedEnd());
+		for (final Node root : rooted.roots()) {
+			final double start = Math.max(0,
+				root.position().distanceTo(query.fixedEnd()) - nearest);
+			for (final Step step : rooted.graph().stepsFrom(root))
+				beginnings.add(Trail.along(step, rooted.graph().segments().size(), start));
+		}
+		return beginnings;
+	}
 
-/** Length of the skeleton that can be reached at all. */
-private static double reachable(final RootedGraph rooted){final ConnectivityInspector<Node,Segment>parts=new ConnectivityInspector<>(rooted.graph().asGraph());final Set<Node>reached=new HashSet<>();rooted.roots().forEach(r->reached.addAll(parts.connectedSetOf(r)));return rooted.graph().segments().stream().filter(s->reached.contains(s.source())).mapToDouble(Segment::length).sum();}
+	/** Length of the skeleton that can be reached at all. */
+	private static double reachable(final RootedGraph rooted) {
+		final ConnectivityInspector<Node, Segment> parts = new ConnectivityInspector<>(
+			rooted.graph().asGraph());
+		final Set<Node> reached = new HashSet<>();
+		rooted.roots().forEach(r -> reached.addAll(parts.connectedSetOf(r)));
+		return rooted.graph().segments().stream().filter(s -> reached.contains(s.source()))
+			.mapToDouble(Segment::length).sum();
+	}
 
-private List<Candidate>different(final List<Candidate>raw){final List<Candidate>chosen=new ArrayList<>();final List<Polyline>ways=new ArrayList<>();for(final Candidate c:raw){if(chosen.size()==limit)break;final Polyline way=Likeness.sample(c);if(ways.stream().noneMatch(w->Likeness.alike(w,way))){chosen.add(c);ways.add(way);}}return chosen;}}
+	private List<Candidate> different(final List<Candidate> raw) {
+		final List<Candidate> chosen = new ArrayList<>();
+		final List<Polyline> ways = new ArrayList<>();
+		for (final Candidate c : raw) {
+			if (chosen.size() == limit)
+				break;
+			final Polyline way = Likeness.sample(c);
+			if (ways.stream().noneMatch(w -> Likeness.alike(w, way))) {
+				chosen.add(c);
+				ways.add(way);
+			}
+		}
+		return chosen;
+	}
+}

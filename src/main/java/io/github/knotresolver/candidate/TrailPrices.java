@@ -11,9 +11,18 @@ package io.github.knotresolver.candidate;
  * @param overlapUnknown the same if the length is not known and nothing else
  *          holds a trail back from walking everything twice
  */
-public record TrailPrices(double turning,double uncovered,double lengthMisfit,double overlap,double overlapUnknown){
+public record TrailPrices(double turning, double uncovered, double lengthMisfit, double overlap,
+	double overlapUnknown) {
 
-/** What has been found to work. */
-public static final TrailPrices DEFAULT=new TrailPrices(6,1,1,0.1,0.5);
+	/** What has been found to work. */
+	public static final TrailPrices DEFAULT = new TrailPrices(6, 1, 1, 0.1, 0.5);
 
-public TrailPrices{if(!(turning>=0&&uncovered>=0&&lengthMisfit>=0&&overlap>=0&&overlapUnknown>=0))throw new IllegalArgumentException("Weights of prices must be at least 0, but are turning "+turning+", uncovered "+uncovered+", lengthMisfit "+lengthMisfit+", overlap "+overlap+" and overlapUnknown "+overlapUnknown+".");}}
+	public TrailPrices {
+		if (!(turning >= 0 && uncovered >= 0 && lengthMisfit >= 0 && overlap >= 0
+			&& overlapUnknown >= 0))
+			throw new IllegalArgumentException(
+				"Weights of prices must be at least 0, but are turning " + turning + ", uncovered "
+					+ uncovered + ", lengthMisfit " + lengthMisfit + ", overlap " + overlap
+					+ " and overlapUnknown " + overlapUnknown + ".");
+	}
+}

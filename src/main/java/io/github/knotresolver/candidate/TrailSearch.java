@@ -17,9 +17,11 @@ import io.github.knotresolver.progress.Progress;
  */
 final class TrailSearch {
 
-	private record Finished(Trail trail, double end, Price price, int order) {}
+	private record Finished(Trail trail, double end, Price price, int order) {
+	}
 
-	private record Open(Trail trail, double bound) {}
+	private record Open(Trail trail, double bound) {
+	}
 
 	private final SkeletonGraph graph;
 	private final TrailPricing pricing;
@@ -32,9 +34,8 @@ final class TrailSearch {
 	private int finished;
 	private boolean limited;
 
-	TrailSearch(final SkeletonGraph graph, final TrailPricing pricing,
-		final int maxUses, final int beam, final int wanted)
-	{
+	TrailSearch(final SkeletonGraph graph, final TrailPricing pricing, final int maxUses,
+		final int beam, final int wanted) {
 		this.graph = graph;
 		this.pricing = pricing;
 		this.maxUses = maxUses;
@@ -50,8 +51,8 @@ final class TrailSearch {
 			front.forEach(this::finish);
 			front = best(extended(front));
 		}
-		return cheapest.stream().sorted(cheapest.comparator().reversed()).map(
-			f -> new Candidate(f.trail().steps(), f.end(), f.price())).toList();
+		return cheapest.stream().sorted(cheapest.comparator().reversed())
+			.map(f -> new Candidate(f.trail().steps(), f.end(), f.price())).toList();
 	}
 
 	/** Whether promising trails were dropped for want of room in the beam. */
@@ -66,14 +67,17 @@ final class TrailSearch {
 
 	private void offer(final Trail trail, final double end) {
 		final Price price = pricing.price(trail, end);
-		if (price.total() >= dearest()) return;
+		if (price.total() >= dearest())
+			return;
 		cheapest.add(new Finished(trail, end, price, finished++));
-		if (cheapest.size() > wanted) cheapest.remove();
+		if (cheapest.size() > wanted)
+			cheapest.remove();
 	}
 
 	private double dearest() {
-		return cheapest.size() < wanted ? Double.POSITIVE_INFINITY : cheapest
-			.element().price().total();
+		return cheapest.size() < wanted
+			? Double.POSITIVE_INFINITY
+			: cheapest.element().price().total();
 	}
 
 	private List<Open> extended(final List<Trail> front) {
@@ -88,10 +92,11 @@ final class TrailSearch {
 	}
 
 	private List<Trail> best(final List<Open> open) {
-		final List<Open> promising = new ArrayList<>(open.stream().filter(o -> o
-			.bound() < dearest()).toList());
+		final List<Open> promising = new ArrayList<>(
+			open.stream().filter(o -> o.bound() < dearest()).toList());
 		promising.sort(Comparator.comparingDouble(Open::bound));
-		if (promising.size() > beam) limited = true;
+		if (promising.size() > beam)
+			limited = true;
 		return promising.stream().limit(beam).map(Open::trail).toList();
 	}
 }

@@ -15,7 +15,8 @@ public final class ContourBuilder {
 	/** Smoothing of corners at junctions, in pixels. */
 	private static final double SIGMA = 2;
 
-	private ContourBuilder() {}
+	private ContourBuilder() {
+	}
 
 	/**
 	 * The candidate as a curve: through the junctions' centroids, lightly
@@ -26,8 +27,7 @@ public final class ContourBuilder {
 	 */
 	public static Polyline smooth(final Candidate candidate) {
 		final Polyline even = candidate.path().resampled(1);
-		return even.size() > 2 ? Smoothing.gaussian(even, SIGMA).resampled(1)
-			: even;
+		return even.size() > 2 ? Smoothing.gaussian(even, SIGMA).resampled(1) : even;
 	}
 
 	/**
@@ -43,8 +43,9 @@ public final class ContourBuilder {
 		for (int i = 0; i < candidate.steps().size(); i++) {
 			final boolean last = i == candidate.steps().size() - 1;
 			final Polyline chain = candidate.steps().get(i).chain();
-			final Polyline used = last && candidate.endsInside() ? chain.head(
-				candidate.end()) : chain;
+			final Polyline used = last && candidate.endsInside()
+				? chain.head(candidate.end())
+				: chain;
 			for (int k = i == 0 ? 0 : 1; k < used.size(); k++)
 				points.add(used.point(k));
 		}

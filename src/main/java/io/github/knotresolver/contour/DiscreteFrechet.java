@@ -11,7 +11,8 @@ import io.github.knotresolver.geometry.Polyline;
  */
 public final class DiscreteFrechet {
 
-	private DiscreteFrechet() {}
+	private DiscreteFrechet() {
+	}
 
 	/**
 	 * The discrete Frechet distance. The direction of the curves counts.

@@ -12,7 +12,8 @@ import io.github.knotresolver.geometry.Polyline;
  */
 public final class DynamicTimeWarping {
 
-	private DynamicTimeWarping() {}
+	private DynamicTimeWarping() {
+	}
 
 	/**
 	 * The least sum of point distances over all monotonic alignments that start
@@ -37,9 +38,8 @@ public final class DynamicTimeWarping {
 		return distance(a, b) / Math.max(a.size(), b.size());
 	}
 
-	static double distance(final double[] ax, final double[] ay,
-		final double[] bx, final double[] by)
-	{
+	static double distance(final double[] ax, final double[] ay, final double[] bx,
+		final double[] by) {
 		final int m = bx.length;
 		final double[] row = new double[m];
 		for (int i = 0; i < ax.length; i++) {
@@ -48,8 +48,7 @@ public final class DynamicTimeWarping {
 			for (int j = 0; j < m; j++) {
 				final double above = i == 0 ? Double.POSITIVE_INFINITY : row[j];
 				final double dx = ax[i] - bx[j], dy = ay[i] - by[j];
-				left = Math.sqrt(dx * dx + dy * dy) + Math.min(diagonal, Math.min(above,
-					left));
+				left = Math.sqrt(dx * dx + dy * dy) + Math.min(diagonal, Math.min(above, left));
 				row[j] = left;
 				diagonal = above;
 			}

@@ -7,7 +7,8 @@ public final class Smoothing {
 	/** The kernel reaches this many standard deviations. */
 	private static final double REACH = 3;
 
-	private Smoothing() {}
+	private Smoothing() {
+	}
 
 	/**
 	 * Gaussian smoothing over the points' indices. Beyond an end the curve is
@@ -20,10 +21,11 @@ public final class Smoothing {
 	 * @return as many points, with the same first and last
 	 */
 	public static Polyline gaussian(final Polyline curve, final double sigma) {
-		if (!(sigma > 0)) throw new IllegalArgumentException(
-			"sigma must be above 0 points, but is " + sigma + ".");
-		final double[] kernel = kernel(sigma, Math.min((int) Math.ceil(REACH *
-			sigma), curve.size() - 1));
+		if (!(sigma > 0))
+			throw new IllegalArgumentException(
+				"sigma must be above 0 points, but is " + sigma + ".");
+		final double[] kernel = kernel(sigma,
+			Math.min((int) Math.ceil(REACH * sigma), curve.size() - 1));
 		return Polyline.of(smooth(curve.xs(), kernel), smooth(curve.ys(), kernel));
 	}
 
@@ -55,7 +57,8 @@ public final class Smoothing {
 
 	private static double extended(final double[] v, final int i) {
 		final int last = v.length - 1;
-		if (i < 0) return 2 * v[0] - v[-i];
+		if (i < 0)
+			return 2 * v[0] - v[-i];
 		return i > last ? 2 * v[last] - v[2 * last - i] : v[i];
 	}
 }

@@ -20,8 +20,8 @@ import io.github.knotresolver.graph.Node.Kind;
 final class GraphDraft {
 
 	/** Reading order: by row, then by column. */
-	static final Comparator<Point> SCAN_ORDER = Comparator.comparingDouble(
-		Point::y).thenComparingDouble(Point::x);
+	static final Comparator<Point> SCAN_ORDER = Comparator.comparingDouble(Point::y)
+		.thenComparingDouble(Point::x);
 
 	/** A loop this short (pixels) is a notch of the junction, not a loop. */
 	private static final double NOTCH = 5;
@@ -74,7 +74,8 @@ final class GraphDraft {
 
 		private List<Point> from(final Point start) {
 			final List<Point> oriented = new ArrayList<>(points);
-			if (!oriented.get(0).equals(start)) Collections.reverse(oriented);
+			if (!oriented.get(0).equals(start))
+				Collections.reverse(oriented);
 			return oriented;
 		}
 	}
@@ -102,8 +103,8 @@ final class GraphDraft {
 	 */
 	void clean(final double spurLength, final Collection<Point> keep) {
 		for (final Chain c : List.copyOf(graph.edgeSet()))
-			if (graph.getEdgeSource(c) == graph.getEdgeTarget(c) && graph
-				.getEdgeSource(c).kind == Kind.JUNCTION && c.line().length() < NOTCH)
+			if (graph.getEdgeSource(c) == graph.getEdgeTarget(c)
+				&& graph.getEdgeSource(c).kind == Kind.JUNCTION && c.line().length() < NOTCH)
 				graph.removeEdge(c);
 		for (final Vertex v : List.copyOf(graph.vertexSet()))
 			settle(v);
@@ -112,18 +113,17 @@ final class GraphDraft {
 			prune(spur.get());
 	}
 
-	private Optional<Chain> shortestSpur(final double spurLength,
-		final Collection<Point> keep)
-	{
-		return graph.edgeSet().stream().filter(c -> c.line()
-			.length() < spurLength && isSpur(c, keep)).min(Comparator.comparingDouble(
-				(Chain c) -> c.line().length()).thenComparing(Chain::firstInScanOrder,
-					SCAN_ORDER));
+	private Optional<Chain> shortestSpur(final double spurLength, final Collection<Point> keep) {
+		return graph.edgeSet().stream()
+			.filter(c -> c.line().length() < spurLength && isSpur(c, keep))
+			.min(Comparator.comparingDouble((Chain c) -> c.line().length())
+				.thenComparing(Chain::firstInScanOrder, SCAN_ORDER));
 	}
 
 	private boolean isSpur(final Chain c, final Collection<Point> keep) {
 		final Vertex a = graph.getEdgeSource(c), b = graph.getEdgeTarget(c);
-		if ((a.kind == Kind.FREE_END) == (b.kind == Kind.FREE_END)) return false;
+		if ((a.kind == Kind.FREE_END) == (b.kind == Kind.FREE_END))
+			return false;
 		final Vertex tip = a.kind == Kind.FREE_END ? a : b;
 		return keep.stream().noneMatch(k -> k.distanceTo(tip.position) < KEPT);
 	}
@@ -137,9 +137,16 @@ final class GraphDraft {
 
 	/** Gives a junction the kind that its number of segment ends asks for. */
 	private void settle(final Vertex v) {
-		if(v.kind!=Kind.JUNCTION)return;switch(graph.degreeOf(v)){case 0->graph.removeVertex(v);case 1->v.kind=Kind.FREE_END;case 2->merge(v);default->{
-		// A junction indeed.
-		}}
+		if (v.kind != Kind.JUNCTION)
+			return;
+		switch (graph.degreeOf(v)) {
+			case 0 -> graph.removeVertex(v);
+			case 1 -> v.kind = Kind.FREE_END;
+			case 2 -> merge(v);
+			default -> {
+				// A junction indeed.
+			}
+		}
 	}
 
 	private void merge(final Vertex v) {

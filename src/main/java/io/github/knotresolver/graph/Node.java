@@ -12,10 +12,10 @@ import io.github.knotresolver.geometry.Point;
  * @param position where it is, in pixels: the centroid of its pixels
  * @param pixels its pixels, in scan order
  */
-public record Node(int id,Kind kind,Point position,List<Point>pixels){
+public record Node(int id, Kind kind, Point position, List<Point> pixels) {
 
-/** What a vertex stands for. */
-public enum Kind {
+	/** What a vertex stands for. */
+	public enum Kind {
 
 		/** Branch pixels merged by 8-connectivity. */
 		JUNCTION,
@@ -28,7 +28,9 @@ public enum Kind {
 
 	}
 
-	public Node{pixels=List.copyOf(pixels);}
+	public Node {
+		pixels = List.copyOf(pixels);
+	}
 
 	/**
 	 * @return whether segments meet here, as opposed to merely passing or ending
@@ -40,5 +42,11 @@ public enum Kind {
 	/** @return whether exactly one segment ends here */
 	public boolean isFreeEnd() {
 		return kind == Kind.FREE_END;
+	}
+
+	/** The number: the same in every run, so that hashed order is too. */
+	@Override
+	public int hashCode() {
+		return id;
 	}
 }

@@ -34,9 +34,7 @@ public final class Segment {
 	 * @param chain the pixels from source to target, both nodes' positions
 	 *          included
 	 */
-	Segment(final int id, final Node source, final Node target,
-		final Polyline chain)
-	{
+	Segment(final int id, final Node source, final Node target, final Polyline chain) {
 		this.id = id;
 		this.source = source;
 		this.target = target;
@@ -54,8 +52,7 @@ public final class Segment {
 		final double from = Math.min(DISTORTED, curve.length() / 4);
 		final Point a = curve.at(from), b = curve.at(from + TANGENT);
 		final double d = a.distanceTo(b);
-		return d > 0 ? new Point((b.x() - a.x()) / d, (b.y() - a.y()) / d)
-			: new Point(0, 0);
+		return d > 0 ? new Point((b.x() - a.x()) / d, (b.y() - a.y()) / d) : new Point(0, 0);
 	}
 
 	/** @return index in {@link SkeletonGraph#segments()} */
@@ -107,8 +104,19 @@ public final class Segment {
 	}
 
 	@Override
+	public boolean equals(final Object other) {
+		return this == other;
+	}
+
+	/** The number: the same in every run, so that hashed order is too. */
+	@Override
+	public int hashCode() {
+		return id;
+	}
+
+	@Override
 	public String toString() {
-		return "Segment " + id + " from node " + source.id() + " to node " + target
-			.id() + ", " + length() + " px";
+		return "Segment " + id + " from node " + source.id() + " to node " + target.id() + ", "
+			+ length() + " px";
 	}
 }

@@ -28,14 +28,16 @@ import io.github.knotresolver.graph.GraphDraft.Vertex;
  * is one node with a loop; isolated pixels are left out; a junction of only two
  * segments (a kink of the staircase) is merged away.
  * <p>
- * Short spurs are pruned: they are thinning noise, they would double the number
- * of trails each, and a true tip that is lost with one is shorter than the
- * filament is wide. Immutable. Nodes and segments are numbered in scan order.
+ * Short spurs are pruned: they are thinning noise, and each would double the
+ * number of trails. A true tip that stands out from another strand leaves a
+ * spur as well, so only the very short ones go, and trails pay for the others
+ * by the pixel if they leave them out. Immutable. Nodes and segments are
+ * numbered in scan order.
  */
 public final class SkeletonGraph {
 
 	/** Spurs shorter than this (pixels) are pruned unless told otherwise. */
-	public static final double DEFAULT_SPUR_LENGTH = 6;
+	public static final double DEFAULT_SPUR_LENGTH = 4;
 
 	private final List<Node> nodes;
 	private final List<Segment> segments;
@@ -63,9 +65,7 @@ public final class SkeletonGraph {
 	 *          components
 	 * @return its graph; without nodes if the skeleton is empty
 	 */
-	public static SkeletonGraph of(
-		final RandomAccessibleInterval<BitType> skeleton)
-	{
+	public static SkeletonGraph of(final RandomAccessibleInterval<BitType> skeleton) {
 		return of(skeleton, DEFAULT_SPUR_LENGTH, List.of());
 	}
 
@@ -80,12 +80,11 @@ public final class SkeletonGraph {
 	 *          pass the fixed end
 	 * @return its graph; without nodes if the skeleton is empty
 	 */
-	public static SkeletonGraph of(
-		final RandomAccessibleInterval<BitType> skeleton, final double spurLength,
-		final Collection<Point> keep)
-	{
-		if (!(spurLength >= 0)) throw new IllegalArgumentException(
-			"The spur length must be at least 0 pixels, but is " + spurLength + ".");
+	public static SkeletonGraph of(final RandomAccessibleInterval<BitType> skeleton,
+		final double spurLength, final Collection<Point> keep) {
+		if (!(spurLength >= 0))
+			throw new IllegalArgumentException(
+				"The spur length must be at least 0 pixels, but is " + spurLength + ".");
 		final GraphDraft draft = SkeletonTracer.trace(new SkeletonPixels(skeleton));
 		draft.clean(spurLength, keep);
 		return numbered(draft.graph());
@@ -94,26 +93,26 @@ public final class SkeletonGraph {
 	private static SkeletonGraph numbered(final Graph<Vertex, Chain> draft) {
 		final List<Node> nodes = new ArrayList<>();
 		final Map<Vertex, Node> nodeOf = new HashMap<>();
-		draft.vertexSet().stream().sorted(Comparator.comparing(v -> v.pixels().get(
-			0), GraphDraft.SCAN_ORDER)).forEach(v -> {
-				final Node node = new Node(nodes.size(), v.kind(), v.position(), v
-					.pixels());
+		draft.vertexSet().stream()
+			.sorted(Comparator.comparing(v -> v.pixels().get(0), GraphDraft.SCAN_ORDER))
+			.forEach(v -> {
+				final Node node = new Node(nodes.size(), v.kind(), v.position(), v.pixels());
 				nodes.add(node);
 				nodeOf.put(v, node);
 			});
 		final List<Segment> segments = new ArrayList<>();
-		draft.edgeSet().stream().sorted(Comparator.comparing(
-			Chain::firstInScanOrder, GraphDraft.SCAN_ORDER)).forEach(c -> segments
-				.add(segment(segments.size(), nodeOf.get(draft.getEdgeSource(c)), nodeOf
-					.get(draft.getEdgeTarget(c)), c.line())));
+		draft.edgeSet().stream()
+			.sorted(Comparator.comparing(Chain::firstInScanOrder, GraphDraft.SCAN_ORDER))
+			.forEach(c -> segments.add(segment(segments.size(), nodeOf.get(draft.getEdgeSource(c)),
+				nodeOf.get(draft.getEdgeTarget(c)), c.line())));
 		return new SkeletonGraph(nodes, segments);
 	}
 
 	private static Segment segment(final int id, final Node from, final Node to,
-		final Polyline line)
-	{
-		return from.id() <= to.id() ? new Segment(id, from, to, line) : new Segment(
-			id, to, from, line.reversed());
+		final Polyline line) {
+		return from.id() <= to.id()
+			? new Segment(id, from, to, line)
+			: new Segment(id, to, from, line.reversed());
 	}
 
 	/** @return the vertices, in scan order of their first pixels */

@@ -19,8 +19,8 @@ final class SkeletonPixels {
 	/** A 3x3 sum, centre included, from which on a pixel is a branch pixel. */
 	private static final int BRANCH_SUM = 4;
 
-	private static final int[] DX = { -1, 0, 1, -1, 1, -1, 0, 1 };
-	private static final int[] DY = { -1, -1, -1, 0, 0, 1, 1, 1 };
+	private static final int[] DX = {-1, 0, 1, -1, 1, -1, 0, 1};
+	private static final int[] DY = {-1, -1, -1, 0, 0, 1, 1, 1};
 
 	private final int width;
 	private final int height;
@@ -28,9 +28,10 @@ final class SkeletonPixels {
 	private final boolean[] branch;
 
 	SkeletonPixels(final RandomAccessibleInterval<BitType> skeleton) {
-		if (skeleton.numDimensions() != 2) throw new IllegalArgumentException(
-			"A skeleton has two dimensions, x and y, but this one has " + skeleton
-				.numDimensions() + ".");
+		if (skeleton.numDimensions() != 2)
+			throw new IllegalArgumentException(
+				"A skeleton has two dimensions, x and y, but this one has "
+					+ skeleton.numDimensions() + ".");
 		width = (int) skeleton.dimension(0);
 		height = (int) skeleton.dimension(1);
 		set = new boolean[width * height];
@@ -63,8 +64,8 @@ final class SkeletonPixels {
 		final List<Integer> found = new ArrayList<>(4);
 		for (int k = 0; k < DX.length; k++) {
 			final int nx = x(pixel) + DX[k], ny = y(pixel) + DY[k];
-			if (nx >= 0 && ny >= 0 && nx < width && ny < height && within[ny * width +
-				nx]) found.add(ny * width + nx);
+			if (nx >= 0 && ny >= 0 && nx < width && ny < height && within[ny * width + nx])
+				found.add(ny * width + nx);
 		}
 		return found;
 	}
@@ -74,7 +75,8 @@ final class SkeletonPixels {
 		final boolean[] open = within.clone();
 		final List<List<Integer>> components = new ArrayList<>();
 		for (int i = 0; i < open.length; i++)
-			if (open[i]) components.add(flood(i, open));
+			if (open[i])
+				components.add(flood(i, open));
 		return components;
 	}
 

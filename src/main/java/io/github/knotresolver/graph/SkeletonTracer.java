@@ -38,46 +38,44 @@ final class SkeletonTracer {
 
 	private void addJunction(final List<Integer> cluster) {
 		final List<Point> points = cluster.stream().map(this::point).toList();
-		final double x = points.stream().mapToDouble(Point::x).average()
-			.orElseThrow();
-		final double y = points.stream().mapToDouble(Point::y).average()
-			.orElseThrow();
+		final double x = points.stream().mapToDouble(Point::x).average().orElseThrow();
+		final double y = points.stream().mapToDouble(Point::y).average().orElseThrow();
 		final Vertex junction = draft.add(Kind.JUNCTION, new Point(x, y), points);
 		for (final int p : cluster)
 			junctionAt[p] = junction;
 	}
 
 	private void addChain(final List<Integer> component) {
-		final List<Integer> ends = component.stream().filter(p -> pixels.neighbours(
-			p, rest).size() < 2).toList();
-		if (ends.isEmpty()) addRing(component.get(0));
-		else if (component.size() == 1) addSinglePixel(component.get(0));
+		final List<Integer> ends = component.stream()
+			.filter(p -> pixels.neighbours(p, rest).size() < 2).toList();
+		if (ends.isEmpty())
+			addRing(component.get(0));
+		else if (component.size() == 1)
+			addSinglePixel(component.get(0));
 		else {
 			final List<Integer> order = walk(ends.get(0));
-			final Vertex from = endOf(order.get(0)), to = endOf(order.get(order
-				.size() - 1));
+			final Vertex from = endOf(order.get(0)), to = endOf(order.get(order.size() - 1));
 			draft.connect(from, to, between(from, order, to));
 		}
 	}
 
 	private void addRing(final int first) {
-		final Vertex vertex = draft.add(Kind.RING, point(first), List.of(point(
-			first)));
-		final List<Point> points = new ArrayList<>(walk(first).stream().map(
-			this::point).toList());
+		final Vertex vertex = draft.add(Kind.RING, point(first), List.of(point(first)));
+		final List<Point> points = new ArrayList<>(walk(first).stream().map(this::point).toList());
 		points.add(point(first));
 		draft.connect(vertex, vertex, points);
 	}
 
 	private void addSinglePixel(final int pixel) {
 		final List<Vertex> touched = touched(pixel);
-		if (touched.isEmpty()) return;
-		if (touched.size() == 2) draft.connect(touched.get(0), touched.get(1),
-			between(touched.get(0), List.of(pixel), touched.get(1)));
+		if (touched.isEmpty())
+			return;
+		if (touched.size() == 2)
+			draft.connect(touched.get(0), touched.get(1),
+				between(touched.get(0), List.of(pixel), touched.get(1)));
 		else if (pixels.neighbours(pixel, branches).size() == 1) {
 			final Vertex tip = freeEnd(pixel);
-			draft.connect(tip, touched.get(0), between(tip, List.of(pixel), touched
-				.get(0)));
+			draft.connect(tip, touched.get(0), between(tip, List.of(pixel), touched.get(0)));
 		}
 	}
 
@@ -92,30 +90,29 @@ final class SkeletonTracer {
 	}
 
 	private List<Vertex> touched(final int pixel) {
-		return pixels.neighbours(pixel, branches).stream().map(p -> junctionAt[p])
-			.distinct().toList();
+		return pixels.neighbours(pixel, branches).stream().map(p -> junctionAt[p]).distinct()
+			.toList();
 	}
 
 	private List<Integer> walk(final int first) {
 		final boolean[] open = Arrays.copyOf(rest, rest.length);
 		final List<Integer> order = new ArrayList<>(List.of(first));
 		open[first] = false;
-		for (List<Integer> next = pixels.neighbours(first, open); !next
-			.isEmpty(); next = pixels.neighbours(order.get(order.size() - 1), open))
-		{
+		for (List<Integer> next = pixels.neighbours(first, open); !next.isEmpty(); next = pixels
+			.neighbours(order.get(order.size() - 1), open)) {
 			order.add(next.get(0));
 			open[next.get(0)] = false;
 		}
 		return order;
 	}
 
-	private List<Point> between(final Vertex from, final List<Integer> order,
-		final Vertex to)
-	{
+	private List<Point> between(final Vertex from, final List<Integer> order, final Vertex to) {
 		final List<Point> points = new ArrayList<>();
-		if (from.kind() == Kind.JUNCTION) points.add(from.position());
+		if (from.kind() == Kind.JUNCTION)
+			points.add(from.position());
 		order.forEach(p -> points.add(point(p)));
-		if (to.kind() == Kind.JUNCTION) points.add(to.position());
+		if (to.kind() == Kind.JUNCTION)
+			points.add(to.position());
 		return points;
 	}
 
