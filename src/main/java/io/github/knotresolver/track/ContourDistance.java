@@ -17,7 +17,9 @@ import io.github.knotresolver.progress.Progress;
  * half the normalised dynamic time warping (the same place) and half the mean distance at
  * equal arc length (the same material). Contours are sampled every 4 px. For pairs whose
  * equal-arc distance is hopeless it stands in for the warping as well: it is no less, and
- * much faster. All prices are computed once, at construction: O(frames * contours² *
+ * much faster. Distances are taken in units of how far the filament typically moves
+ * from frame to frame, so that a long frame interval does not drown the contours' own
+ * prices. All prices are computed once, at construction: O(frames * contours² *
  * length²).
  */
 public final class ContourDistance implements EdgePrice {
@@ -28,15 +30,18 @@ public final class ContourDistance implements EdgePrice {
 	/** Pairs are warped up to this much (pixels) beyond the nearest one's distance. */
 	private static final double HOPELESS = 12;
 
+	/** Motion below this (pixels) is noise of the skeleton. */
+	private static final double NOISE = 1;
+
 	private final double weight;
 	private final double[][][] fromFrame;
 
 	/**
 	 * Computes the prices.
 	 *
-	 * @param contours for each frame its contours, in pixels; none in frames that are
-	 *          skipped
-	 * @param weight price per pixel of distance, at least 0
+	 * @param contours for each frame its contours, in pixels, the most likely first; none
+	 *          in frames that are skipped
+	 * @param weight price of moving as far as is typical (at least 1 px), at least 0
 	 * @param executor computes frames in parallel; empty for the calling thread
 	 * @param progress asked whether to stop
 	 */
@@ -45,7 +50,6 @@ public final class ContourDistance implements EdgePrice {
 		if (!(weight >= 0))
 			throw new IllegalArgumentException(
 				"The weight of the distance must be at least 0, but is " + weight + ".");
-		this.weight = weight;
 		final List<List<Polyline>> sampled = contours.stream()
 			.map(frame -> frame.stream().map(c -> c.every(STEP)).toList()).toList();
 		final List<Callable<double[][]>> tasks = new ArrayList<>();
@@ -54,6 +58,14 @@ public final class ContourDistance implements EdgePrice {
 			tasks.add(() -> distances(from, to, progress));
 		}
 		fromFrame = FrameTasks.run(tasks, executor).toArray(double[][][]::new);
+		this.weight = weight / typical();
+	}
+
+	/** Median distance of the most likely contours of neighbouring frames. */
+	private double typical() {
+		final double[] moved = Arrays.stream(fromFrame).filter(m -> m.length > 0 && m[0].length > 0)
+			.mapToDouble(m -> m[0][0]).sorted().toArray();
+		return moved.length == 0 ? NOISE : Math.max(NOISE, moved[moved.length / 2]);
 	}
 
 	/**

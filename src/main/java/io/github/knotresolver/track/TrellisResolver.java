@@ -27,15 +27,15 @@ import io.github.knotresolver.progress.Progress;
  * visibly.
  *
  * @param generator proposes contours
- * @param motion price of an edge per pixel of distance, at least 0
+ * @param motion price of moving as far as is typical between frames, at least 0
  * @param executor runs frames in parallel; empty to use the calling thread; the result
  *          is the same
  */
 public record TrellisResolver(CandidateGenerator generator, double motion,
 	Optional<ExecutorService> executor) implements Resolver {
 
-	/** Price of an edge per pixel that has been found to work. */
-	public static final double DEFAULT_MOTION = 3;
+	/** Price of typical motion that has been found to work. */
+	public static final double DEFAULT_MOTION = 8;
 
 	/** A gap of this price (pixels) gives a confidence of 63 %. */
 	private static final double GAP_SCALE = 10;
