@@ -4,11 +4,11 @@ package io.github.knotresolver.simulate;
 /** How many bits a simulated picture's pixel has. */
 public enum BitDepth {
 
-		/** 0 to 255. */
-		EIGHT(255, 1),
+	/** 0 to 255. */
+	EIGHT(255, 1),
 
-		/** 0 to 65535; grey values of the published rendering times 100. */
-		SIXTEEN(65535, 100);
+	/** 0 to 65535; grey values of the published rendering times 100. */
+	SIXTEEN(65535, 100);
 
 	private final int maximum;
 	private final double scale;

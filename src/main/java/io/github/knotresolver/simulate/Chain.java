@@ -61,8 +61,7 @@ final class Chain {
 		for (int i = 0; i < nodes() - 1; i++) {
 			final double dx = x[i + 1] - x[i], dy = y[i + 1] - y[i];
 			final double ox = px - x[i], oy = py - y[i];
-			final double f = Math.max(0, Math.min(1, (ox * dx + oy * dy) / (link *
-				link)));
+			final double f = Math.max(0, Math.min(1, (ox * dx + oy * dy) / (link * link)));
 			final double ex = ox - f * dx, ey = oy - f * dy;
 			final double squared = ex * ex + ey * ey;
 			if (squared <= best) {

@@ -36,9 +36,7 @@ final class FilamentMechanics {
 	private final LengthKeeper keeper;
 	private final double[] tension;
 
-	FilamentMechanics(final SimulationParameters p, final Chain chain,
-		final double dt)
-	{
+	FilamentMechanics(final SimulationParameters p, final Chain chain, final double dt) {
 		this.dt = dt;
 		kT = p.medium().thermalEnergy();
 		bending = p.rigidity() / (chain.link * chain.link * chain.link);
@@ -105,9 +103,7 @@ final class FilamentMechanics {
 	}
 
 	/** The energy bending/2 (a - 2 b + c)² of three nodes, one coordinate. */
-	private void addCurvature(final double[] r, final int i, final int k,
-		final double kick)
-	{
+	private void addCurvature(final double[] r, final int i, final int k, final double kick) {
 		final int a = 3 * i - 3 + k, b = 3 * i + k, c = 3 * i + 3 + k;
 		final double force = kick - bending * (r[i - 1] - 2 * r[i] + r[i + 1]);
 		system.add(a, a, bending);
@@ -129,12 +125,10 @@ final class FilamentMechanics {
 		addPull(chain.y, i, 1, f, m.y, kick * noise.gaussian());
 	}
 
-	private void addPull(final double[] r, final int i, final int k,
-		final double f, final double anchor, final double kick)
-	{
+	private void addPull(final double[] r, final int i, final int k, final double f,
+		final double anchor, final double kick) {
 		final int a = 3 * i + k, b = 3 * i + 3 + k;
-		final double force = kick + spring * (anchor - (1 - f) * r[i] - f * r[i +
-			1]);
+		final double force = kick + spring * (anchor - (1 - f) * r[i] - f * r[i + 1]);
 		system.add(a, a, spring * (1 - f) * (1 - f));
 		system.add(b, a, spring * (1 - f) * f);
 		system.add(b, b, spring * f * f);

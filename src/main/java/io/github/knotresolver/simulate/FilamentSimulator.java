@@ -34,8 +34,7 @@ public final class FilamentSimulator {
 		final FilamentProperties filament = parameters.filament();
 		chain = new Chain(filament.links(), filament.length());
 		motors = new Motors(parameters.motors(), parameters.seed());
-		mechanics = new FilamentMechanics(parameters, chain, parameters.schedule()
-			.step());
+		mechanics = new FilamentMechanics(parameters, chain, parameters.schedule().step());
 		noise = new Noise(~parameters.seed());
 	}
 
@@ -60,7 +59,8 @@ public final class FilamentSimulator {
 
 	private void advance(final long steps, final Progress progress) {
 		for (long i = 0; i < steps; i++) {
-			if (i % 64 == 0) progress.checkCancelled();
+			if (i % 64 == 0)
+				progress.checkCancelled();
 			step();
 		}
 	}
@@ -74,6 +74,11 @@ public final class FilamentSimulator {
 	/** @return the filament as it is now, in µm */
 	Polyline curve() {
 		return Polyline.of(chain.x, chain.y);
+	}
+
+	/** @return everything that decides the trajectory */
+	public SimulationParameters parameters() {
+		return parameters;
 	}
 
 	/** @return the filament itself: a test may bend it */

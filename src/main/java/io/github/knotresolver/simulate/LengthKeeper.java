@@ -34,7 +34,8 @@ final class LengthKeeper {
 	/** Gives every link its length. */
 	void restore(final Chain chain) {
 		for (int round = 0; round < ROUNDS; round++)
-			if (measure(chain) < TOLERANCE) return;
+			if (measure(chain) < TOLERANCE)
+				return;
 			else {
 				solve();
 				move(chain);
@@ -65,14 +66,14 @@ final class LengthKeeper {
 	private void solve() {
 		for (int i = 0; i < tx.length; i++) {
 			diagonal[i] = Math.max(1e-9, freedom(i) + freedom(i + 1));
-			if (i == 0) continue;
+			if (i == 0)
+				continue;
 			final double factor = coupling(i) / diagonal[i - 1];
 			diagonal[i] -= factor * coupling(i);
 			pull[i] -= factor * pull[i - 1];
 		}
 		for (int i = tx.length - 1; i >= 0; i--) {
-			final double after = i + 1 < tx.length ? coupling(i + 1) * pull[i + 1]
-				: 0;
+			final double after = i + 1 < tx.length ? coupling(i + 1) * pull[i + 1] : 0;
 			pull[i] = (pull[i] - after) / diagonal[i];
 		}
 	}

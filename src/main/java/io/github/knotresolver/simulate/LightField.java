@@ -48,12 +48,11 @@ final class LightField {
 		final int column = (int) Math.rint(p.x()), row = (int) Math.rint(p.y());
 		for (int k = -radius(); k <= radius(); k++)
 			across[k + radius()] = falloff(column + k - p.x());
-		for (int y = Math.max(0, row - radius()); y <= Math.min(light.length /
-			width - 1, row + radius()); y++)
-		{
+		for (int y = Math.max(0, row - radius()); y <= Math.min(light.length / width - 1,
+			row + radius()); y++) {
 			final double here = brightness * falloff(y - p.y());
-			for (int k = Math.max(-radius(), -column); k <= Math.min(radius(), width -
-				1 - column); k++)
+			for (int k = Math.max(-radius(), -column); k <= Math.min(radius(),
+				width - 1 - column); k++)
 				light[y * width + column + k] += here * across[k + radius()];
 		}
 	}

@@ -35,19 +35,16 @@ final class Motor {
 	 * A step of time while bound: walks under load and may let go, at random or
 	 * at the filament's end.
 	 */
-	void step(final Chain chain, final MotorProperties p, final double dt,
-		final Noise noise)
-	{
+	void step(final Chain chain, final MotorProperties p, final double dt, final Noise noise) {
 		final int i = chain.linkAt(arc);
 		final double f = arc / chain.link - i;
-		final double tx = chain.x[i + 1] - chain.x[i], ty = chain.y[i + 1] -
-			chain.y[i];
+		final double tx = chain.x[i + 1] - chain.x[i], ty = chain.y[i + 1] - chain.y[i];
 		final double fx = p.stiffness() * (x - chain.x[i] - f * tx);
 		final double fy = p.stiffness() * (y - chain.y[i] - f * ty);
 		final double along = (fx * tx + fy * ty) / chain.link;
 		arc += p.speedUnder(along) * dt;
 		final double rate = p.unbindingRateUnder(Math.sqrt(fx * fx + fy * fy));
-		if (noise.uniform() < -StrictMath.expm1(-rate * dt) || arc >= chain
-			.length()) release();
+		if (noise.uniform() < -StrictMath.expm1(-rate * dt) || arc >= chain.length())
+			release();
 	}
 }

@@ -18,7 +18,8 @@ final class MotorField {
 	/** Edge of a square in µm. */
 	private static final double SQUARE = 0.5;
 
-	private record Square(int column, int row) {}
+	private record Square(int column, int row) {
+	}
 
 	private final Map<Square, List<Motor>> squares = new HashMap<>();
 	private final double meanPerSquare;
@@ -41,27 +42,26 @@ final class MotorField {
 		final Set<Square> seen = new HashSet<>();
 		final List<Motor> found = new ArrayList<>();
 		for (int i = 0; i < chain.nodes(); i++)
-			for (int row = index(chain.y[i] - reach); row <= index(chain.y[i] +
-				reach); row++)
+			for (int row = index(chain.y[i] - reach); row <= index(chain.y[i] + reach); row++)
 				for (int column = index(chain.x[i] - reach); column <= index(
-					chain.x[i] + reach); column++)
-				{
+					chain.x[i] + reach); column++) {
 					final Square square = new Square(column, row);
-					if (seen.add(square)) addNear(chain, square, reach, found);
+					if (seen.add(square))
+						addNear(chain, square, reach, found);
 				}
 		return found;
 	}
 
-	private void addNear(final Chain chain, final Square square,
-		final double reach, final List<Motor> found)
-	{
+	private void addNear(final Chain chain, final Square square, final double reach,
+		final List<Motor> found) {
 		for (final Motor m : squares.computeIfAbsent(square, this::populate))
-			if (!Double.isNaN(chain.nearest(m.x, m.y, reach))) found.add(m);
+			if (!Double.isNaN(chain.nearest(m.x, m.y, reach)))
+				found.add(m);
 	}
 
 	private List<Motor> populate(final Square square) {
-		final Noise noise = new Noise(seed ^ (square.column * 0x9E3779B97F4A7C15L +
-			square.row * 0xC2B2AE3D27D4EB4FL));
+		final Noise noise = new Noise(
+			seed ^ (square.column * 0x9E3779B97F4A7C15L + square.row * 0xC2B2AE3D27D4EB4FL));
 		final int count = (int) Math.rint(noise.poisson(meanPerSquare));
 		final List<Motor> motors = new ArrayList<>(count);
 		for (int i = 0; i < count; i++)

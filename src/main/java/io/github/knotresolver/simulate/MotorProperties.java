@@ -25,31 +25,49 @@ package io.github.knotresolver.simulate;
  *          2006)
  * @param stiffness stiffness of the linker in pN/µm; default 100
  */
-public record MotorProperties(double density,double bindingRate,double bindingRange,double unbindingRate,double unbindingForce,double stallForce,double speed,double stiffness){
+public record MotorProperties(double density, double bindingRate, double bindingRange,
+	double unbindingRate, double unbindingForce, double stallForce, double speed,
+	double stiffness) {
 
-public MotorProperties{Require.within("motor density",density,0,1000,"motors per µm²");Require.within("binding rate",bindingRate,0,1000,"per s");Require.within("binding range",bindingRange,0.001,0.2,"µm");Require.within("unbinding rate",unbindingRate,0,1000,"per s");Require.within("unbinding force",unbindingForce,0.1,1000,"pN");Require.within("stall force",stallForce,0.1,1000,"pN");Require.within("motor speed",speed,0,10,"µm/s");Require.within("linker stiffness",stiffness,1,1e4,"pN/µm");}
+	public MotorProperties {
+		Require.within("motor density", density, 0, 1000, "motors per µm²");
+		Require.within("binding rate", bindingRate, 0, 1000, "per s");
+		Require.within("binding range", bindingRange, 0.001, 0.2, "µm");
+		Require.within("unbinding rate", unbindingRate, 0, 1000, "per s");
+		Require.within("unbinding force", unbindingForce, 0.1, 1000, "pN");
+		Require.within("stall force", stallForce, 0.1, 1000, "pN");
+		Require.within("motor speed", speed, 0, 10, "µm/s");
+		Require.within("linker stiffness", stiffness, 1, 1e4, "pN/µm");
+	}
 
-/**
- * Yeast dynein.
- *
- * @param density motors per µm²
- * @return the motors
- */
-public static MotorProperties dynein(final double density){return new MotorProperties(density,5,0.02,0.04,3,5,0.1,100);}
+	/**
+	 * Yeast dynein.
+	 *
+	 * @param density motors per µm²
+	 * @return the motors
+	 */
+	public static MotorProperties dynein(final double density) {
+		return new MotorProperties(density, 5, 0.02, 0.04, 3, 5, 0.1, 100);
+	}
 
-/**
- * Speed of a bound motor under load.
- *
- * @param assisting force along the walking direction in pN, negative if it
- *          hinders
- * @return speed towards the free end in µm/s, 0 to twice the unloaded speed
- */
-double speedUnder(final double assisting){return speed*Math.max(0,Math.min(2,1+assisting/stallForce));}
+	/**
+	 * Speed of a bound motor under load.
+	 *
+	 * @param assisting force along the walking direction in pN, negative if it
+	 *          hinders
+	 * @return speed towards the free end in µm/s, 0 to twice the unloaded speed
+	 */
+	double speedUnder(final double assisting) {
+		return speed * Math.max(0, Math.min(2, 1 + assisting / stallForce));
+	}
 
-/**
- * Rate of letting go under load.
- *
- * @param force magnitude of the force in pN
- * @return the rate per s
- */
-double unbindingRateUnder(final double force){return unbindingRate*StrictMath.exp(Math.min(100,force/unbindingForce));}}
+	/**
+	 * Rate of letting go under load.
+	 *
+	 * @param force magnitude of the force in pN
+	 * @return the rate per s
+	 */
+	double unbindingRateUnder(final double force) {
+		return unbindingRate * StrictMath.exp(Math.min(100, force / unbindingForce));
+	}
+}

@@ -38,19 +38,21 @@ final class Motors {
 		look(chain);
 		final double chance = -StrictMath.expm1(-properties.bindingRate() * dt);
 		for (final Motor m : inView)
-			if (!m.isBound() && noise.uniform() < chance) tryToBind(m, chain);
+			if (!m.isBound() && noise.uniform() < chance)
+				tryToBind(m, chain);
 	}
 
 	private void tryToBind(final Motor motor, final Chain chain) {
-		final double arc = chain.nearest(motor.x, motor.y, properties
-			.bindingRange());
-		if (Double.isNaN(arc) || arc >= chain.length()) return;
+		final double arc = chain.nearest(motor.x, motor.y, properties.bindingRange());
+		if (Double.isNaN(arc) || arc >= chain.length())
+			return;
 		motor.bind(arc);
 		bound.add(motor);
 	}
 
 	private void look(final Chain chain) {
-		if (viewX.length > 0 && !hasMoved(chain)) return;
+		if (viewX.length > 0 && !hasMoved(chain))
+			return;
 		viewX = chain.x.clone();
 		viewY = chain.y.clone();
 		inView = field.near(chain, properties.bindingRange() + SKIN);
@@ -59,7 +61,8 @@ final class Motors {
 	private boolean hasMoved(final Chain chain) {
 		for (int i = 0; i < viewX.length; i++) {
 			final double dx = chain.x[i] - viewX[i], dy = chain.y[i] - viewY[i];
-			if (dx * dx + dy * dy > SKIN * SKIN) return true;
+			if (dx * dx + dy * dy > SKIN * SKIN)
+				return true;
 		}
 		return false;
 	}

@@ -39,8 +39,7 @@ final class Noise {
 	 * @return the number
 	 */
 	double gaussian() {
-		return (Long.bitCount(random.nextLong()) - 32 + random.nextDouble() - 0.5) *
-			SCALE;
+		return (Long.bitCount(random.nextLong()) - 32 + random.nextDouble() - 0.5) * SCALE;
 	}
 
 	/**
@@ -51,8 +50,8 @@ final class Noise {
 	 * @return the number, at least 0
 	 */
 	double poisson(final double mean) {
-		if (mean > LARGE_MEAN) return Math.max(0, mean + Math.sqrt(mean) *
-			gaussian());
+		if (mean > LARGE_MEAN)
+			return Math.max(0, mean + Math.sqrt(mean) * gaussian());
 		final double limit = StrictMath.exp(-mean);
 		int count = -1;
 		for (double product = 1; product > limit; count++)

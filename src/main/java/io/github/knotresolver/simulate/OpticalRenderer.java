@@ -28,22 +28,19 @@ public final class OpticalRenderer implements FrameRenderer {
 	}
 
 	@Override
-	public double[] render(final Polyline curve, final int frame,
-		final Canvas canvas, final BitDepth depth)
-	{
-		final LightField light = new LightField(canvas.width(), canvas.height(),
-			optics.psfSigma());
+	public double[] render(final Polyline curve, final int frame, final Canvas canvas,
+		final BitDepth depth) {
+		final LightField light = new LightField(canvas.width(), canvas.height(), optics.psfSigma());
 		light.addLine(curve, 1);
 		bystanders.addTo(light, frame, canvas);
-		final double fading = StrictMath.exp(-frame * canvas.frameInterval() /
-			optics.bleachingTime());
+		final double fading = StrictMath
+			.exp(-frame * canvas.frameInterval() / optics.bleachingTime());
 		final double[] image = light.values();
 		final Noise noise = Noise.ofFrame(seed, frame);
 		for (int i = 0; i < image.length; i++) {
-			final double photons = fading * optics.signal() * image[i] + optics
-				.background();
-			image[i] = gain(depth) * (noise.poisson(photons) + optics.readNoise() *
-				noise.gaussian());
+			final double photons = fading * optics.signal() * image[i] + optics.background();
+			image[i] = gain(depth)
+				* (noise.poisson(photons) + optics.readNoise() * noise.gaussian());
 		}
 		return image;
 	}
@@ -51,8 +48,7 @@ public final class OpticalRenderer implements FrameRenderer {
 	/** Grey values an electron: two strands and four sigma of noise fit. */
 	private double gain(final BitDepth depth) {
 		final double brightest = 2 * optics.signal() + optics.background();
-		final double noise = Math.sqrt(brightest + optics.readNoise() * optics
-			.readNoise());
+		final double noise = Math.sqrt(brightest + optics.readNoise() * optics.readNoise());
 		final double fitting = depth.maximum() / (brightest + 4 * noise);
 		return depth == BitDepth.EIGHT ? fitting : Math.min(1, fitting);
 	}

@@ -17,9 +17,22 @@ package io.github.knotresolver.simulate;
  * @param glide their way from frame to frame in pixels, 0 to 1000; default 1
  * @param debris specks of dirt that shine, 0 to 1000; default 0
  */
-public record Optics(double psfSigma,double signal,double background,double readNoise,double bleachingTime,int others,double glide,int debris){
+public record Optics(double psfSigma, double signal, double background, double readNoise,
+	double bleachingTime, int others, double glide, int debris) {
 
-/** A clean preparation, well exposed. */
-public static final Optics CLEAN=new Optics(1.5,100,20,2,Double.POSITIVE_INFINITY,0,1,0);
+	/** A clean preparation, well exposed. */
+	public static final Optics CLEAN = new Optics(1.5, 100, 20, 2, Double.POSITIVE_INFINITY, 0, 1,
+		0);
 
-public Optics{Require.within("width of the point spread function",psfSigma,0.3,20,"pixels");Require.within("signal",signal,0.1,1e6,"photons");Require.within("background",background,0,1e6,"photons");Require.within("read noise",readNoise,0,1000,"electrons");if(bleachingTime!=Double.POSITIVE_INFINITY)Require.within("bleaching time",bleachingTime,1e-3,1e9,"s");Require.within("number of other filaments",others,0,100);Require.within("glide of other filaments",glide,0,1000,"pixels per frame");Require.within("number of specks",debris,0,1000);}}
+	public Optics {
+		Require.within("width of the point spread function", psfSigma, 0.3, 20, "pixels");
+		Require.within("signal", signal, 0.1, 1e6, "photons");
+		Require.within("background", background, 0, 1e6, "photons");
+		Require.within("read noise", readNoise, 0, 1000, "electrons");
+		if (bleachingTime != Double.POSITIVE_INFINITY)
+			Require.within("bleaching time", bleachingTime, 1e-3, 1e9, "s");
+		Require.within("number of other filaments", others, 0, 100);
+		Require.within("glide of other filaments", glide, 0, 1000, "pixels per frame");
+		Require.within("number of specks", debris, 0, 1000);
+	}
+}

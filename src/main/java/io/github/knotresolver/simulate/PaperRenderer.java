@@ -26,24 +26,24 @@ public final class PaperRenderer implements FrameRenderer {
 	 * @throws IllegalArgumentException if the ratio is out of range
 	 */
 	public PaperRenderer(final double snr, final long seed) {
-		this.snr = snr == Double.POSITIVE_INFINITY ? snr : Require.within(
-			"signal-to-noise ratio", snr, -30, 100, "dB");
+		this.snr = snr == Double.POSITIVE_INFINITY
+			? snr
+			: Require.within("signal-to-noise ratio", snr, -30, 100, "dB");
 		this.seed = seed;
 	}
 
 	@Override
-	public double[] render(final Polyline curve, final int frame,
-		final Canvas canvas, final BitDepth depth)
-	{
+	public double[] render(final Polyline curve, final int frame, final Canvas canvas,
+		final BitDepth depth) {
 		final int width = canvas.width();
-		final double[] image = blurred(thickened(skeleton(curve, canvas), width),
-			width);
+		final double[] image = blurred(thickened(skeleton(curve, canvas), width), width);
 		for (int i = 0; i < image.length; i++)
 			image[i] = depth.scale() * (BACKGROUND + (PEAK - BACKGROUND) * image[i]);
 		final double sd = Math.sqrt(variance(image) / StrictMath.pow(10, snr / 10));
 		final Noise noise = Noise.ofFrame(seed, frame);
-		if (sd > 0) for (int i = 0; i < image.length; i++)
-			image[i] += sd * noise.gaussian();
+		if (sd > 0)
+			for (int i = 0; i < image.length; i++)
+				image[i] += sd * noise.gaussian();
 		return image;
 	}
 
@@ -57,11 +57,9 @@ public final class PaperRenderer implements FrameRenderer {
 	}
 
 	/** Pixels of a line no longer than two pixels: its ends and its middle. */
-	private static void line(final boolean[] mask, final Canvas canvas,
-		final int x0, final int y0, final int x1, final int y1)
-	{
-		final int steps = Math.max(1, Math.max(Math.abs(x1 - x0), Math.abs(y1 -
-			y0)));
+	private static void line(final boolean[] mask, final Canvas canvas, final int x0, final int y0,
+		final int x1, final int y1) {
+		final int steps = Math.max(1, Math.max(Math.abs(x1 - x0), Math.abs(y1 - y0)));
 		for (int k = 0; k <= steps; k++) {
 			final int x = (int) Math.rint(x0 + (double) k * (x1 - x0) / steps);
 			final int y = (int) Math.rint(y0 + (double) k * (y1 - y0) / steps);
@@ -74,13 +72,13 @@ public final class PaperRenderer implements FrameRenderer {
 		final boolean[] thick = new boolean[mask.length];
 		final int height = mask.length / width;
 		for (int i = 0; i < mask.length; i++)
-			if (mask[i]) stamp(thick, i % width, i / width, width, height);
+			if (mask[i])
+				stamp(thick, i % width, i / width, width, height);
 		return thick;
 	}
 
-	private static void stamp(final boolean[] thick, final int x, final int y,
-		final int width, final int height)
-	{
+	private static void stamp(final boolean[] thick, final int x, final int y, final int width,
+		final int height) {
 		for (int dy = -DIAMOND; dy <= DIAMOND; dy++)
 			for (int dx = Math.abs(dy) - DIAMOND; dx <= DIAMOND - Math.abs(dy); dx++)
 				if (x + dx >= 0 && y + dy >= 0 && x + dx < width && y + dy < height)
@@ -93,12 +91,14 @@ public final class PaperRenderer implements FrameRenderer {
 		final int height = mask.length / width;
 		final double[] blurred = new double[mask.length];
 		for (int i = 0; i < mask.length; i++)
-			if (mask[i]) for (int dy = -1; dy <= 1; dy++)
-				for (int dx = -1; dx <= 1; dx++) {
-					final int x = i % width + dx, y = i / width + dy;
-					if (x >= 0 && y >= 0 && x < width && y < height) blurred[y * width +
-						x] += (dx == 0 ? 1 : side) * (dy == 0 ? 1 : side) / total;
-				}
+			if (mask[i])
+				for (int dy = -1; dy <= 1; dy++)
+					for (int dx = -1; dx <= 1; dx++) {
+						final int x = i % width + dx, y = i / width + dy;
+						if (x >= 0 && y >= 0 && x < width && y < height)
+							blurred[y * width + x] += (dx == 0 ? 1 : side) * (dy == 0 ? 1 : side)
+								/ total;
+					}
 		return blurred;
 	}
 

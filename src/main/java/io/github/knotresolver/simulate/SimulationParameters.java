@@ -10,17 +10,25 @@ package io.github.knotresolver.simulate;
  * @param seed start of the random numbers: the same seed gives the same
  *          trajectory on any machine
  */
-public record SimulationParameters(FilamentProperties filament,MotorProperties motors,MediumProperties medium,Schedule schedule,long seed){
+public record SimulationParameters(FilamentProperties filament, MotorProperties motors,
+	MediumProperties medium, Schedule schedule, long seed) {
 
-/**
- * A microtubule over dynein as in the published simulations.
- *
- * @param length contour length in µm
- * @param density motors per µm²
- * @param seed start of the random numbers
- * @return the parameters
- */
-public static SimulationParameters published(final double length,final double density,final long seed){return new SimulationParameters(FilamentProperties.microtubule(length),MotorProperties.dynein(density),MediumProperties.WATER,Schedule.PUBLISHED,seed);}
+	/**
+	 * A microtubule over dynein as in the published simulations.
+	 *
+	 * @param length contour length in µm
+	 * @param density motors per µm²
+	 * @param seed start of the random numbers
+	 * @return the parameters
+	 */
+	public static SimulationParameters published(final double length, final double density,
+		final long seed) {
+		return new SimulationParameters(FilamentProperties.microtubule(length),
+			MotorProperties.dynein(density), MediumProperties.WATER, Schedule.PUBLISHED, seed);
+	}
 
-/** @return the bending rigidity in pN·µm² */
-public double rigidity(){return filament.persistenceLength()*medium.thermalEnergy();}}
+	/** @return the bending rigidity in pN·µm² */
+	public double rigidity() {
+		return filament.persistenceLength() * medium.thermalEnergy();
+	}
+}

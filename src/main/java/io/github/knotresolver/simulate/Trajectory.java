@@ -10,6 +10,9 @@ import io.github.knotresolver.geometry.Polyline;
  * @param curves one curve a frame in µm, the clamped end first, at the origin
  * @param frameInterval time between frames in s
  */
-public record Trajectory(List<Polyline>curves,double frameInterval){
+public record Trajectory(List<Polyline> curves, double frameInterval) {
 
-public Trajectory{curves=List.copyOf(curves);}}
+	public Trajectory {
+		curves = List.copyOf(curves);
+	}
+}

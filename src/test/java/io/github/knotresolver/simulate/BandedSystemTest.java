@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class BandedSystemTest {
 
 	@ParameterizedTest
-	@ValueSource(ints = { 1, 2, 5, 12, 30 })
+	@ValueSource(ints = {1, 2, 5, 12, 30})
 	void solvesAsAPivotingDenseSolverDoes(final int size) {
 		final Random random = new Random(size);
 		final int band = 3;
@@ -26,27 +26,26 @@ class BandedSystemTest {
 			right[i] = random.nextGaussian();
 			banded.addRight(i, right[i]);
 			for (int j = Math.max(0, i - band); j <= i; j++) {
-				final double value = random.nextGaussian() + (i == j ? 8 * (i % 3 == 2
-					? -1 : 1) : 0);
+				final double value = random.nextGaussian()
+					+ (i == j ? 8 * (i % 3 == 2 ? -1 : 1) : 0);
 				banded.add(j, i, value);
 				dense.setEntry(i, j, value);
 				dense.setEntry(j, i, value);
 			}
 		}
-		final double[] expected = new LUDecomposition(dense).getSolver().solve(
-			new ArrayRealVector(right)).toArray();
+		final double[] expected = new LUDecomposition(dense).getSolver()
+			.solve(new ArrayRealVector(right)).toArray();
 		banded.factor();
 		assertArrayEquals(expected, banded.solve(), 1e-9, "seed " + size);
 	}
 
 	@ParameterizedTest
-	@ValueSource(ints = { 0, 1, 3 })
+	@ValueSource(ints = {0, 1, 3})
 	void aHeldUnknownIsZeroAndTheOthersSolveWithoutIt(final int held) {
 		final BandedSystem s = new BandedSystem(4, 2);
-		final double[][] m = { { 4, 1, 2, 0 }, { 1, 5, 1, 1 }, { 2, 1, 6, 2 }, { 0,
-			1, 2, 7 } };
+		final double[][] m = {{4, 1, 2, 0}, {1, 5, 1, 1}, {2, 1, 6, 2}, {0, 1, 2, 7}};
 		final RealMatrix dense = new Array2DRowRealMatrix(m);
-		final double[] right = { 1, 2, 3, 4 };
+		final double[] right = {1, 2, 3, 4};
 		for (int i = 0; i < 4; i++) {
 			s.addRight(i, right[i]);
 			for (int j = Math.max(0, i - 2); j <= i; j++)
@@ -57,7 +56,8 @@ class BandedSystemTest {
 		right[held] = 0;
 		s.hold(held);
 		s.factor();
-		assertArrayEquals(new LUDecomposition(dense).getSolver().solve(
-			new ArrayRealVector(right)).toArray(), s.solve(), 1e-12);
+		assertArrayEquals(
+			new LUDecomposition(dense).getSolver().solve(new ArrayRealVector(right)).toArray(),
+			s.solve(), 1e-12);
 	}
 }

@@ -39,14 +39,12 @@ class SimulationParametersTest {
 	@ParameterizedTest(name = "{0}")
 	@MethodSource("wrongValues")
 	void aWrongValueIsOneSentence(final String sentence, final Executable call) {
-		assertEquals(sentence, assertThrows(IllegalArgumentException.class, call)
-			.getMessage());
+		assertEquals(sentence, assertThrows(IllegalArgumentException.class, call).getMessage());
 	}
 
 	@Test
 	void aMicrotubuleOfItsShearLengthHasHalfItsStiffness() {
-		assertEquals(3150, FilamentProperties.microtubule(21).persistenceLength(),
-			1e-9);
+		assertEquals(3150, FilamentProperties.microtubule(21).persistenceLength(), 1e-9);
 	}
 
 	@Test
@@ -56,7 +54,6 @@ class SimulationParametersTest {
 		assertEquals(0.05, p.speedUnder(-p.stallForce() / 2), 1e-12);
 		assertEquals(0, p.speedUnder(-2 * p.stallForce()), 0);
 		assertEquals(0.2, p.speedUnder(10 * p.stallForce()), 1e-12);
-		assertEquals(p.unbindingRate() * Math.E, p.unbindingRateUnder(p
-			.unbindingForce()), 1e-9);
+		assertEquals(p.unbindingRate() * Math.E, p.unbindingRateUnder(p.unbindingForce()), 1e-9);
 	}
 }
