@@ -35,8 +35,7 @@ public final class ContourGeometry {
 	private final CurveNoise noise;
 
 	private ContourGeometry(final SmoothedCurve curve, final Smoothing smoothing,
-		final double pixelSize)
-	{
+		final double pixelSize) {
 		this.smoothing = smoothing;
 		this.pixelSize = pixelSize;
 		this.arcLength = curve.arcLength();
@@ -58,9 +57,7 @@ public final class ContourGeometry {
 	 * @throws IllegalArgumentException if the contour has fewer than three points
 	 *           or no length
 	 */
-	public static ContourGeometry of(final Polyline contourPx,
-		final Calibration c)
-	{
+	public static ContourGeometry of(final Polyline contourPx, final Calibration c) {
 		requireMeasurable(contourPx);
 		return of(contourPx, c, Smoothing.derivedFrom(List.of(contourPx), c));
 	}
@@ -76,20 +73,19 @@ public final class ContourGeometry {
 	 * @throws IllegalArgumentException if the contour has fewer than three points
 	 *           or no length
 	 */
-	public static ContourGeometry of(final Polyline contourPx,
-		final Calibration c, final Smoothing smoothing)
-	{
+	public static ContourGeometry of(final Polyline contourPx, final Calibration c,
+		final Smoothing smoothing) {
 		requireMeasurable(contourPx);
 		final Samples raw = Samples.of(contourPx, c.pixelSize());
 		final int order = Math.min(smoothing.order(), contourPx.size() - 1);
 		final double window = Math.min(smoothing.window(), raw.length());
 		// Noise makes a chain of points longer than its curve; the window is
 		// meant in lengths of the curve, so arc length is found first.
-		final double[] arc = SmoothedCurve.of(raw, window, order, order +
-			SPARE_POINTS).arcLength();
+		final double[] arc = SmoothedCurve.of(raw, window, order, order + SPARE_POINTS).arcLength();
 		final double width = Math.min(window, arc[arc.length - 1]);
-		final SmoothedCurve curve = SmoothedCurve.of(raw.over(arc), width, order,
-			order + SPARE_POINTS).withBias(width, order, order + SPARE_POINTS);
+		final SmoothedCurve curve = SmoothedCurve
+			.of(raw.over(arc), width, order, order + SPARE_POINTS)
+			.withBias(width, order, order + SPARE_POINTS);
 		return new ContourGeometry(curve, smoothing, c.pixelSize());
 	}
 
@@ -102,10 +98,11 @@ public final class ContourGeometry {
 	}
 
 	private static void requireMeasurable(final Polyline contourPx) {
-		if (!isMeasurable(contourPx)) throw new IllegalArgumentException(
-			"A contour must have at least 3 points and a length above 0 to be measured, but this one has " +
-				contourPx.size() + " points and a length of " + contourPx.length() +
-				" px; leave this frame out or correct it.");
+		if (!isMeasurable(contourPx))
+			throw new IllegalArgumentException(
+				"A contour must have at least 3 points and a length above 0 to be measured, but this one has "
+					+ contourPx.size() + " points and a length of " + contourPx.length()
+					+ " px; leave this frame out or correct it.");
 	}
 
 	/** @return the number of points */

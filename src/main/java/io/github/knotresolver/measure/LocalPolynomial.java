@@ -46,18 +46,19 @@ final class LocalPolynomial {
 	 *          use all
 	 */
 	void fit(final Samples c, final int from, final int to, final double at,
-		final double halfWindow, final double gap)
-	{
+		final double halfWindow, final double gap) {
 		scale = 1 / halfWindow;
 		final double[] bx = new double[terms], by = new double[terms];
 		java.util.Arrays.fill(moments, 0);
 		for (int j = from; j < to; j++) {
 			final double d = c.s(j) - at;
-			if (Math.abs(d) <= gap) continue;
+			if (Math.abs(d) <= gap)
+				continue;
 			double power = 1;
 			for (int k = 0; k < moments.length; k++, power *= d * scale) {
 				moments[k] += power;
-				if (k >= terms) continue;
+				if (k >= terms)
+					continue;
 				bx[k] += power * c.x(j);
 				by[k] += power * c.y(j);
 			}
@@ -111,7 +112,8 @@ final class LocalPolynomial {
 				double sum = moments[i + j] * (i == j ? 1 + RIDGE : 1);
 				for (int k = 0; k < j; k++)
 					sum -= factor[i][k] * factor[j][k];
-				factor[i][j] = i == j ? Math.sqrt(Math.max(sum, Double.MIN_NORMAL))
+				factor[i][j] = i == j
+					? Math.sqrt(Math.max(sum, Double.MIN_NORMAL))
 					: sum / factor[j][j];
 			}
 		for (int column = 0; column < terms; column++)

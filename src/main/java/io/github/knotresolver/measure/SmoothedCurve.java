@@ -29,9 +29,8 @@ final class SmoothedCurve {
 	}
 
 	/** @return the curve smoothed with one window, at every point */
-	static SmoothedCurve of(final Samples raw, final double window,
-		final int order, final int leastPoints)
-	{
+	static SmoothedCurve of(final Samples raw, final double window, final int order,
+		final int leastPoints) {
 		final SmoothedCurve curve = new SmoothedCurve(raw, window);
 		final LocalPolynomial fit = new LocalPolynomial(order);
 		for (int i = 0; i < raw.size(); i++) {
@@ -45,13 +44,12 @@ final class SmoothedCurve {
 	/**
 	 * Compares with the polynomial two orders higher, for the bias of smoothing.
 	 */
-	SmoothedCurve withBias(final double window, final int order,
-		final int leastPoints)
-	{
+	SmoothedCurve withBias(final double window, final int order, final int leastPoints) {
 		final LocalPolynomial fit = new LocalPolynomial(order + 2);
 		for (int i = 0; i < raw.size(); i++) {
 			final int[] w = raw.window(raw.s(i), window, leastPoints);
-			if (w[1] - w[0] < order + 4) continue;
+			if (w[1] - w[0] < order + 4)
+				continue;
 			fit.fit(raw, w[0], w[1], raw.s(i), window / 2, -1);
 			final double dx = fit.x(1), dy = fit.y(1), v2 = dx * dx + dy * dy;
 			bias.compare(i, Angles.nearest(Math.atan2(dy, dx), angle[i]) - angle[i],
@@ -96,8 +94,7 @@ final class SmoothedCurve {
 	double[] arcLength() {
 		final double[] arc = new double[speed.length];
 		for (int i = 1; i < arc.length; i++)
-			arc[i] = arc[i - 1] + (raw.s(i) - raw.s(i - 1)) * (speed[i] + speed[i -
-				1]) / 2;
+			arc[i] = arc[i - 1] + (raw.s(i) - raw.s(i - 1)) * (speed[i] + speed[i - 1]) / 2;
 		return arc;
 	}
 
@@ -107,20 +104,21 @@ final class SmoothedCurve {
 		final double[] across = new double[n];
 		double squares = 0, freedom = 0, products = 0;
 		for (int i = 0; i < n; i++) {
-			across[i] = (raw.y(i) - y[i]) * Math.cos(angle[i]) - (raw.x(i) - x[i]) *
-				Math.sin(angle[i]);
+			across[i] = (raw.y(i) - y[i]) * Math.cos(angle[i])
+				- (raw.x(i) - x[i]) * Math.sin(angle[i]);
 			squares += across[i] * across[i];
 			// For least squares a residual has variance 1 - leverage.
 			freedom += 1 - variance[0][i];
-			if (i > 0) products += across[i] * across[i - 1];
+			if (i > 0)
+				products += across[i] * across[i - 1];
 		}
 		final double sigma = Math.sqrt(squares / Math.max(freedom, 1e-3 * n));
 		final double rho = correlation(products, squares);
 		final double inflation = (1 + rho) / (1 - rho);
 		final double scale = sigma * Math.sqrt(inflation);
-		return new CurveNoise(sigma, inflation, roots(variance[0], scale), bias
-			.added(SmoothingBias.ANGLE, roots(variance[1], scale), scale), bias.added(
-				SmoothingBias.CURVATURE, roots(variance[2], scale), scale));
+		return new CurveNoise(sigma, inflation, roots(variance[0], scale),
+			bias.added(SmoothingBias.ANGLE, roots(variance[1], scale), scale),
+			bias.added(SmoothingBias.CURVATURE, roots(variance[2], scale), scale));
 	}
 
 	/**
@@ -129,12 +127,12 @@ final class SmoothedCurve {
 	 * back.
 	 */
 	private double correlation(final double products, final double squares) {
-		if (squares == 0) return 0;
+		if (squares == 0)
+			return 0;
 		double leverage = 0;
 		for (final double v : variance[0])
 			leverage += v / variance[0].length;
-		final double r = products / squares + leverage / Math.max(0.1, 1 -
-			leverage);
+		final double r = products / squares + leverage / Math.max(0.1, 1 - leverage);
 		return Math.max(0, Math.min(0.8, r));
 	}
 

@@ -27,8 +27,7 @@ final class SmoothingBias {
 
 	/** Differences at point {@code i}, and their variances for unit noise. */
 	void compare(final int i, final double angle, final double angleVariance,
-		final double curvature, final double curvatureVariance)
-	{
+		final double curvature, final double curvatureVariance) {
 		squares[ANGLE][i] = angle * angle;
 		excess[ANGLE][i] = angleVariance;
 		squares[CURVATURE][i] = curvature * curvature;
@@ -43,8 +42,7 @@ final class SmoothingBias {
 			double sum = 0;
 			for (int j = w[0]; j < w[1]; j++)
 				sum += squares[what][j] - noise * noise * excess[what][j];
-			out[i] = Math.sqrt(errors[i] * errors[i] + Math.max(0, sum / (w[1] -
-				w[0])));
+			out[i] = Math.sqrt(errors[i] * errors[i] + Math.max(0, sum / (w[1] - w[0])));
 		}
 		return out;
 	}

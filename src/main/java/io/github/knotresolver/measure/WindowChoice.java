@@ -33,8 +33,7 @@ final class WindowChoice {
 	}
 
 	Smoothing best() {
-		final double widest = contours.stream().mapToDouble(Samples::length).max()
-			.orElseThrow();
+		final double widest = contours.stream().mapToDouble(Samples::length).max().orElseThrow();
 		final double narrowest = Math.min(widest, NARROWEST_PX * pixelSize);
 		double best = narrowest, least = Double.POSITIVE_INFINITY;
 		for (double w = narrowest; w <= widest * (1 + 1e-9); w *= STEP) {
@@ -55,7 +54,8 @@ final class WindowChoice {
 		for (final Samples c : contours) {
 			for (; next < seen + c.size(); next += stride) {
 				final double e = error(c, next - seen, window, fit);
-				if (Double.isNaN(e)) continue;
+				if (Double.isNaN(e))
+					continue;
 				sum += e;
 				n++;
 			}
@@ -66,11 +66,9 @@ final class WindowChoice {
 
 	/** NaN near an end, where prediction would be extrapolation. */
 	private double error(final Samples c, final int i, final double window,
-		final LocalPolynomial fit)
-	{
+		final LocalPolynomial fit) {
 		final double gap = GAP_PX * pixelSize, s = c.s(i);
-		final int[] w = c.window(s, window, 2 * ORDER + 4 + (int) (2 * gap / c
-			.spacing()));
+		final int[] w = c.window(s, window, 2 * ORDER + 4 + (int) (2 * gap / c.spacing()));
 		if (s - c.s(w[0]) < 2 * gap || c.s(w[1] - 1) - s < 2 * gap)
 			return Double.NaN;
 		fit.fit(c, w[0], w[1], s, window / 2, gap);
