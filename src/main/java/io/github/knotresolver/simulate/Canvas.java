@@ -31,6 +31,18 @@ public record Canvas(int width, int height, double pixelSize, double offsetX, do
 	}
 
 	/**
+	 * Checks the numbers of a view before there is a trajectory.
+	 *
+	 * @param pixelSize in µm
+	 * @param margin in pixels
+	 * @throws IllegalArgumentException if one is out of range
+	 */
+	public static void check(final double pixelSize, final int margin) {
+		Require.within("pixel size", pixelSize, 0.005, 10, "µm");
+		Require.within("margin", margin, 0, 1000);
+	}
+
+	/**
 	 * The smallest view that holds every frame with a margin.
 	 *
 	 * @param trajectory the curves in µm
@@ -42,8 +54,7 @@ public record Canvas(int width, int height, double pixelSize, double offsetX, do
 	 */
 	public static Canvas around(final Trajectory trajectory, final double pixelSize,
 		final int margin) {
-		Require.within("pixel size", pixelSize, 0.005, 10, "µm");
-		Require.within("margin", margin, 0, 1000);
+		check(pixelSize, margin);
 		double left = 0, right = 0, top = 0, bottom = 0;
 		for (final Polyline c : trajectory.curves())
 			for (int i = 0; i < c.size(); i++) {
