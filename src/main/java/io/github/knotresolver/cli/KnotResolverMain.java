@@ -77,6 +77,10 @@ public final class KnotResolverMain implements Runnable {
 		if (e instanceof java.io.IOException)
 			return oneLine(err, "The result could not be written: " + e.getMessage() + ".",
 				ExitStatus.FAILED);
+		return unexpected(err, e);
+	}
+
+	private static int unexpected(final PrintWriter err, final Throwable e) {
 		return oneLine(err, "Unexpected failure, please report it at " + ISSUES + ": " + e,
 			ExitStatus.FAILED);
 	}

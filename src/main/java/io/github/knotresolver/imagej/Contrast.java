@@ -13,19 +13,21 @@ import io.github.knotresolver.image.Movie;
  * movie.
  *
  * @param low shown as black
- * @param high shown as white
+ * @param high shown as the brightest grey
+ * @param brightest that grey, 1..255; less than white lets colours stand out
  */
-record Contrast(double low, double high) {
+record Contrast(double low, double high, int brightest) {
 
-	private static final double DARKEST = 0.01, BRIGHTEST = 0.998;
+	private static final double LOWEST = 0.01, HIGHEST = 0.998;
 	/** So many pixels tell the percentiles well enough. */
 	private static final int SAMPLE = 200_000;
 
 	/**
 	 * @param movie a movie
+	 * @param brightest the brightest grey, 1..255
 	 * @return its range of intensities without the extremes
 	 */
-	static Contrast of(final Movie movie) {
+	static Contrast of(final Movie movie, final int brightest) {
 		final long pixels = (long) movie.width() * movie.height() * movie.size();
 		final int step = (int) Math.max(1, pixels / SAMPLE);
 		final double[] sample = new double[(int) (pixels / step)];
@@ -39,17 +41,17 @@ record Contrast(double low, double high) {
 		}
 		Arrays.sort(sample, 0, n);
 		if (n == 0)
-			return new Contrast(0, 1);
-		final double low = sample[(int) (DARKEST * (n - 1))],
-			high = sample[(int) (BRIGHTEST * (n - 1))];
-		return new Contrast(low, high > low ? high : low + 1);
+			return new Contrast(0, 1, brightest);
+		final double low = sample[(int) (LOWEST * (n - 1))],
+			high = sample[(int) (HIGHEST * (n - 1))];
+		return new Contrast(low, high > low ? high : low + 1, brightest);
 	}
 
 	/**
 	 * @param value an intensity
-	 * @return how it is shown, 0..255
+	 * @return how it is shown, 0 to the brightest grey
 	 */
 	int gray(final double value) {
-		return (int) Math.rint(255 * Math.min(1, Math.max(0, (value - low) / (high - low))));
+		return (int) Math.rint(brightest * Math.min(1, Math.max(0, (value - low) / (high - low))));
 	}
 }

@@ -17,8 +17,8 @@ public final class Montage {
 	/** Most frames in one picture. */
 	static final int MOST_FRAMES = 48;
 
-	private static final int WIDTH = 1920, BORDER = 3, GAP = 2, MOST_COLUMNS = 8;
-	private static final double LARGEST_SCALE = 4, LINE = 1.6, RING = 4;
+	private static final int WIDTH = 1920, BORDER = 3, GAP = 2, MOST_COLUMNS = 8, BRIGHTEST = 150;
+	private static final double LARGEST_SCALE = 4, LINE = 2, RING = 4;
 	private static final int DOT = 2;
 
 	private Montage() {
@@ -39,7 +39,8 @@ public final class Montage {
 			cellHeight = view.screenHeight() + 2 * BORDER + GAP;
 		final BufferedImage montage = new BufferedImage(columns * cellWidth, rows * cellHeight,
 			BufferedImage.TYPE_INT_RGB);
-		final FramePainter painter = new FramePainter(Contrast.of(resolution.movie()), view);
+		final FramePainter painter = new FramePainter(Contrast.of(resolution.movie(), BRIGHTEST),
+			view);
 		final Graphics2D g = montage.createGraphics();
 		for (int i = 0; i < chosen.length; i++)
 			drawCell(g, resolution, chosen[i], painter, i % columns * cellWidth,

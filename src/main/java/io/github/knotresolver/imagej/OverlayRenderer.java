@@ -25,8 +25,8 @@ import io.github.knotresolver.track.TrackedFrame;
 public final class OverlayRenderer {
 
 	/** Small images are enlarged, so that a line covers less of the filament. */
-	private static final int SMALL = 320, PICTURE = 1200;
-	private static final double LARGEST_SCALE = 6, LINE = 1.3, RING = 4, FAINT = 0.5;
+	private static final int SMALL = 320, PICTURE = 1200, BRIGHTEST = 170, BACKDROP = 90;
+	private static final double LARGEST_SCALE = 6, LINE = 1.5, RING = 4, FAINT = 0.7;
 
 	private OverlayRenderer() {
 	}
@@ -39,7 +39,7 @@ public final class OverlayRenderer {
 	public static ImagePlus stack(final Resolution resolution) {
 		final Movie movie = resolution.movie();
 		final int scale = Math.max(movie.width(), movie.height()) < SMALL ? 2 : 1;
-		final FramePainter painter = new FramePainter(Contrast.of(movie),
+		final FramePainter painter = new FramePainter(Contrast.of(movie, BRIGHTEST),
 			Viewport.whole(movie, scale));
 		final ImageStack stack = new ImageStack(movie.width() * scale, movie.height() * scale);
 		for (final TrackedFrame frame : resolution.frames()) {
@@ -65,7 +65,8 @@ public final class OverlayRenderer {
 		final Viewport part = Viewport.aroundContours(resolution);
 		final double scale = Math.min(LARGEST_SCALE,
 			(double) PICTURE / Math.max(part.width(), part.height()));
-		final FramePainter painter = new FramePainter(Contrast.of(movie), part.scaled(scale));
+		final FramePainter painter = new FramePainter(Contrast.of(movie, BACKDROP),
+			part.scaled(scale));
 		final BufferedImage picture = painter.paint(brightest(movie));
 		for (final TrackedFrame frame : resolution.frames())
 			frame.contour().ifPresent(c -> painter.draw(picture, c, LINE, FAINT));
