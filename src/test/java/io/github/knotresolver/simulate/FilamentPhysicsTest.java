@@ -184,11 +184,11 @@ class FilamentPhysicsTest {
 	/** Mean tip speed, curvature (rms) and number of bound motors. */
 	private static double[] statistics(final double dt) {
 		final double[] sums = new double[3];
-		final int seeds = 6, frames = 40;
+		final int seeds = 16, frames = 12;
 		for (int seed = 0; seed < seeds; seed++) {
 			final SimulationParameters p = new SimulationParameters(
-				FilamentProperties.microtubule(8), MotorProperties.dynein(100),
-				MediumProperties.WATER, new Schedule(100, frames, dt, 0), seed);
+				FilamentProperties.microtubule(5), MotorProperties.dynein(200),
+				MediumProperties.WATER, new Schedule(30, frames, dt, 0), seed);
 			final FilamentSimulator s = new FilamentSimulator(p);
 			Polyline last = s.curve();
 			for (int f = 1; f < frames; f++) {
