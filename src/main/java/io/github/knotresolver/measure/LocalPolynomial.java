@@ -1,0 +1,144 @@
+
+package io.github.knotresolver.measure;
+
+/**
+ * Least-squares fit of a polynomial curve (x(s), y(s)) to the points of a
+ * window, the step behind Savitzky and Golay's filter (1964,
+ * doi:10.1021/ac60214a047), for points that need not be equally spaced. The
+ * polynomial is centred where it is evaluated, so its coefficients are the
+ * value and the derivatives there.
+ * <p>
+ * One object is reused for many windows; it is not thread-safe. O(points) per
+ * fit.
+ */
+final class LocalPolynomial {
+
+	/** Added to the diagonal, relative: keeps coinciding points solvable. */
+	private static final double RIDGE = 1e-13;
+
+	private final int terms;
+	private final double[] moments;
+	private final double[] cx;
+	private final double[] cy;
+	private final double[][] inverse;
+	private final double[][] factor;
+	private double scale;
+
+	/** @param order degree of the polynomial, at least 1 */
+	LocalPolynomial(final int order) {
+		terms = order + 1;
+		moments = new double[2 * order + 1];
+		cx = new double[terms];
+		cy = new double[terms];
+		inverse = new double[terms][terms];
+		factor = new double[terms][terms];
+	}
+
+	/**
+	 * Fits the points {@code from} (included) to {@code to} (excluded).
+	 *
+	 * @param c points along the curve, more than the order inside the window
+	 * @param from index of the first point
+	 * @param to index after the last point
+	 * @param at arc length where value and derivatives are wanted
+	 * @param halfWindow scale of the window, above 0
+	 * @param gap points nearer to {@code at} than this are left out; negative to
+	 *          use all
+	 */
+	void fit(final Samples c, final int from, final int to, final double at,
+		final double halfWindow, final double gap) {
+		scale = 1 / halfWindow;
+		final double[] bx = new double[terms], by = new double[terms];
+		java.util.Arrays.fill(moments, 0);
+		for (int j = from; j < to; j++) {
+			final double d = c.s(j) - at;
+			if (Math.abs(d) <= gap)
+				continue;
+			double power = 1;
+			for (int k = 0; k < moments.length; k++, power *= d * scale) {
+				moments[k] += power;
+				if (k >= terms)
+					continue;
+				bx[k] += power * c.x(j);
+				by[k] += power * c.y(j);
+			}
+		}
+		invert();
+		for (int i = 0; i < terms; i++) {
+			cx[i] = dot(inverse[i], bx);
+			cy[i] = dot(inverse[i], by);
+		}
+	}
+
+	/** @return derivative {@code d} of x with respect to arc length */
+	double x(final int d) {
+		return cx[d] * unit(d);
+	}
+
+	/** @return derivative {@code d} of y with respect to arc length */
+	double y(final int d) {
+		return cy[d] * unit(d);
+	}
+
+	/** @return variance of derivative {@code d} for unit noise of every point */
+	double variance(final int d) {
+		return inverse[d][d] * unit(d) * unit(d);
+	}
+
+	/**
+	 * @param d order of the derivative
+	 * @param offset arc length of a point less that of the evaluation
+	 * @return how much derivative {@code d} changes when that point moves by 1
+	 */
+	double weight(final int d, final double offset) {
+		double sum = 0;
+		for (int k = terms - 1; k >= 0; k--)
+			sum = sum * offset * scale + inverse[d][k];
+		return sum * unit(d);
+	}
+
+	/** From a coefficient in scaled arc length to a derivative: d! scale^d. */
+	private double unit(final int d) {
+		double u = 1;
+		for (int k = 1; k <= d; k++)
+			u *= k * scale;
+		return d < terms ? u : 0;
+	}
+
+	/** Inverts the normal matrix by its Cholesky factor. */
+	private void invert() {
+		for (int i = 0; i < terms; i++)
+			for (int j = 0; j <= i; j++) {
+				double sum = moments[i + j] * (i == j ? 1 + RIDGE : 1);
+				for (int k = 0; k < j; k++)
+					sum -= factor[i][k] * factor[j][k];
+				factor[i][j] = i == j
+					? Math.sqrt(Math.max(sum, Double.MIN_NORMAL))
+					: sum / factor[j][j];
+			}
+		for (int column = 0; column < terms; column++)
+			solveUnit(column);
+	}
+
+	private void solveUnit(final int column) {
+		for (int i = 0; i < terms; i++) {
+			double sum = i == column ? 1 : 0;
+			for (int k = 0; k < i; k++)
+				sum -= factor[i][k] * inverse[k][column];
+			inverse[i][column] = sum / factor[i][i];
+		}
+		for (int i = terms - 1; i >= 0; i--) {
+			double sum = inverse[i][column];
+			for (int k = i + 1; k < terms; k++)
+				sum -= factor[k][i] * inverse[k][column];
+			inverse[i][column] = sum / factor[i][i];
+		}
+	}
+
+	private static double dot(final double[] a, final double[] b) {
+		double sum = 0;
+		for (int i = 0; i < a.length; i++)
+			sum += a[i] * b[i];
+		return sum;
+	}
+}

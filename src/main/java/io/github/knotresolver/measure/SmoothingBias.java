@@ -1,0 +1,49 @@
+
+package io.github.knotresolver.measure;
+
+/**
+ * How far smoothing pulls tangent angle and curvature from the truth. A
+ * polynomial of two orders more in the same window has much less bias; the
+ * squared difference of the two, less what noise alone would make of it (for
+ * nested least squares the difference of the variances), averaged over a
+ * window, estimates the squared bias.
+ */
+final class SmoothingBias {
+
+	static final int ANGLE = 0;
+	static final int CURVATURE = 1;
+
+	private final Samples raw;
+	private final double window;
+	private final double[][] squares;
+	private final double[][] excess;
+
+	SmoothingBias(final Samples raw, final double window) {
+		this.raw = raw;
+		this.window = window;
+		squares = new double[2][raw.size()];
+		excess = new double[2][raw.size()];
+	}
+
+	/** Differences at point {@code i}, and their variances for unit noise. */
+	void compare(final int i, final double angle, final double angleVariance,
+		final double curvature, final double curvatureVariance) {
+		squares[ANGLE][i] = angle * angle;
+		excess[ANGLE][i] = angleVariance;
+		squares[CURVATURE][i] = curvature * curvature;
+		excess[CURVATURE][i] = curvatureVariance;
+	}
+
+	/** @return the standard errors with the bias added in squares */
+	double[] added(final int what, final double[] errors, final double noise) {
+		final double[] out = new double[errors.length];
+		for (int i = 0; i < out.length; i++) {
+			final int[] w = raw.window(raw.s(i), window, 1);
+			double sum = 0;
+			for (int j = w[0]; j < w[1]; j++)
+				sum += squares[what][j] - noise * noise * excess[what][j];
+			out[i] = Math.sqrt(errors[i] * errors[i] + Math.max(0, sum / (w[1] - w[0])));
+		}
+		return out;
+	}
+}

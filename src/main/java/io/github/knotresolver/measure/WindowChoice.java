@@ -1,0 +1,79 @@
+
+package io.github.knotresolver.measure;
+
+import java.util.List;
+
+/** Cross-validation of the smoothing's window. */
+final class WindowChoice {
+
+	/** Neighbours within this many pixels are left out with a point. */
+	private static final double GAP_PX = 1.5;
+	/** The narrowest window, in pixels: less is inside the microscope's blur. */
+	private static final double NARROWEST_PX = 8;
+	private static final double STEP = 1.2;
+	/**
+	 * The best window for the curvature of a cubic, as a part of the best for its
+	 * value: (1/2)^(1/9) for a rectangular window (Fan and Gijbels 1995,
+	 * doi:10.1111/j.2517-6161.1995.tb02034.x, the ratio of adjusting constants).
+	 */
+	private static final double FOR_CURVATURE = Math.pow(0.5, 1 / 9.0);
+	/** Points that are predicted, over all contours. */
+	private static final int PREDICTIONS = 1200;
+	private static final int ORDER = Smoothing.DEFAULT_ORDER;
+
+	private final List<Samples> contours;
+	private final double pixelSize;
+	private final int stride;
+
+	WindowChoice(final List<Samples> contours, final double pixelSize) {
+		this.contours = contours;
+		this.pixelSize = pixelSize;
+		final int points = contours.stream().mapToInt(Samples::size).sum();
+		this.stride = Math.max(1, points / PREDICTIONS);
+	}
+
+	Smoothing best() {
+		final double widest = contours.stream().mapToDouble(Samples::length).max().orElseThrow();
+		final double narrowest = Math.min(widest, NARROWEST_PX * pixelSize);
+		double best = narrowest, least = Double.POSITIVE_INFINITY;
+		for (double w = narrowest; w <= widest * (1 + 1e-9); w *= STEP) {
+			final double error = predictionError(w);
+			if (error < least) {
+				least = error;
+				best = w;
+			}
+		}
+		return new Smoothing(Math.max(narrowest, best * FOR_CURVATURE), ORDER);
+	}
+
+	/** Mean squared distance, across the curve, from the prediction. */
+	private double predictionError(final double window) {
+		final LocalPolynomial fit = new LocalPolynomial(ORDER);
+		double sum = 0;
+		int n = 0, next = 0, seen = 0;
+		for (final Samples c : contours) {
+			for (; next < seen + c.size(); next += stride) {
+				final double e = error(c, next - seen, window, fit);
+				if (Double.isNaN(e))
+					continue;
+				sum += e;
+				n++;
+			}
+			seen += c.size();
+		}
+		return n == 0 ? Double.POSITIVE_INFINITY : sum / n;
+	}
+
+	/** NaN near an end, where prediction would be extrapolation. */
+	private double error(final Samples c, final int i, final double window,
+		final LocalPolynomial fit) {
+		final double gap = GAP_PX * pixelSize, s = c.s(i);
+		final int[] w = c.window(s, window, 2 * ORDER + 4 + (int) (2 * gap / c.spacing()));
+		if (s - c.s(w[0]) < 2 * gap || c.s(w[1] - 1) - s < 2 * gap)
+			return Double.NaN;
+		fit.fit(c, w[0], w[1], s, window / 2, gap);
+		final double tx = fit.x(1), ty = fit.y(1);
+		final double across = (c.x(i) - fit.x(0)) * ty - (c.y(i) - fit.y(0)) * tx;
+		return across * across / (tx * tx + ty * ty);
+	}
+}
