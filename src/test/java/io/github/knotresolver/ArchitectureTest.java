@@ -18,20 +18,19 @@ class ArchitectureTest {
 	private static final String ROOT = "io.github.knotresolver.";
 
 	/** The rooms, in the order in which data walks through them. */
-	private static final List<String> ROOMS = List.of("geometry", "progress",
-		"image", "mask", "skeleton", "graph", "candidate", "contour", "fit",
-		"track", "measure", "pipeline", "simulate", "evaluate", "io", "imagej",
-		"command", "cli");
+	private static final List<String> ROOMS = List.of("geometry", "progress", "image", "mask",
+		"skeleton", "graph", "candidate", "contour", "fit", "track", "measure", "pipeline",
+		"simulate", "evaluate", "io", "imagej", "command", "cli");
 
 	private static final JavaClasses CLASSES = new ClassFileImporter()
-		.withImportOption(new ImportOption.DoNotIncludeTests()).importPackages(
-			"io.github.knotresolver");
+		.withImportOption(new ImportOption.DoNotIncludeTests())
+		.importPackages("io.github.knotresolver");
 
 	@Test
 	void roomImportsOnlyFromRoomsAboveIt() {
 		for (int i = 0; i < ROOMS.size() - 1; i++) {
-			final String[] below = ROOMS.subList(i + 1, ROOMS.size()).stream().map(
-				r -> ROOT + r + "..").toArray(String[]::new);
+			final String[] below = ROOMS.subList(i + 1, ROOMS.size()).stream()
+				.map(r -> ROOT + r + "..").toArray(String[]::new);
 			noClasses().that().resideInAPackage(ROOT + ROOMS.get(i) + "..").should()
 				.dependOnClassesThat().resideInAnyPackage(below).allowEmptyShould(true)
 				.check(CLASSES);
@@ -40,10 +39,9 @@ class ArchitectureTest {
 
 	@Test
 	void everyPackageIsARoom() {
-		final String[] rooms = ROOMS.stream().map(r -> ROOT + r + "..").toArray(
-			String[]::new);
-		noClasses().should().resideOutsideOfPackages(append(rooms,
-			"io.github.knotresolver")).check(CLASSES);
+		final String[] rooms = ROOMS.stream().map(r -> ROOT + r + "..").toArray(String[]::new);
+		noClasses().should().resideOutsideOfPackages(append(rooms, "io.github.knotresolver"))
+			.check(CLASSES);
 	}
 
 	@Test
@@ -53,17 +51,18 @@ class ArchitectureTest {
 
 	@Test
 	void onlyTheEdgeKnowsImageJAndAwt() {
-		noClasses().that().resideOutsideOfPackages(ROOT + "imagej..", ROOT +
-			"command..", ROOT + "cli..").should().dependOnClassesThat()
+		noClasses().that()
+			.resideOutsideOfPackages(ROOT + "imagej..", ROOT + "command..", ROOT + "cli..").should()
+			.dependOnClassesThat()
 			.resideInAnyPackage("ij..", "java.awt..", "javax.swing..", "org.jfree..")
 			.check(CLASSES);
 	}
 
 	@Test
 	void onlyGraphRoomsKnowJGraphT() {
-		noClasses().that().resideOutsideOfPackages(ROOT + "graph..", ROOT +
-			"candidate..", ROOT + "track..").should().dependOnClassesThat()
-			.resideInAnyPackage("org.jgrapht..").check(CLASSES);
+		noClasses().that()
+			.resideOutsideOfPackages(ROOT + "graph..", ROOT + "candidate..", ROOT + "track..")
+			.should().dependOnClassesThat().resideInAnyPackage("org.jgrapht..").check(CLASSES);
 	}
 
 	private static String[] append(final String[] rooms, final String last) {

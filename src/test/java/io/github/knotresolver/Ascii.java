@@ -12,7 +12,8 @@ import net.imglib2.type.logic.BitType;
 /** Masks a reader can draw: {@code '#'} is filament, anything else is not. */
 public final class Ascii {
 
-	private Ascii() {}
+	private Ascii() {
+	}
 
 	/**
 	 * @param rows rows of equal length, separated by line breaks
@@ -26,9 +27,9 @@ public final class Ascii {
 		while (cursor.hasNext()) {
 			cursor.fwd();
 			final String line = lines.get(cursor.getIntPosition(1));
-			if (line.length() != width) throw new IllegalArgumentException("Row " +
-				cursor.getIntPosition(1) + " has " + line.length() + " columns, not " +
-				width);
+			if (line.length() != width)
+				throw new IllegalArgumentException("Row " + cursor.getIntPosition(1) + " has "
+					+ line.length() + " columns, not " + width);
 			cursor.get().set(line.charAt(cursor.getIntPosition(0)) == '#');
 		}
 		return mask;

@@ -39,12 +39,12 @@ public final class Polyline {
 	public static Polyline of(final double[] x, final double[] y) {
 		if (x.length == 0 || x.length != y.length)
 			throw new IllegalArgumentException(
-				"A polyline needs as many x as y, at least one each, but has " +
-					x.length + " and " + y.length + ".");
+				"A polyline needs as many x as y, at least one each, but has " + x.length + " and "
+					+ y.length + ".");
 		for (int i = 0; i < x.length; i++)
 			if (!Double.isFinite(x[i]) || !Double.isFinite(y[i]))
-				throw new IllegalArgumentException("Point " + i +
-					" of the polyline is not finite: " + x[i] + "," + y[i] + ".");
+				throw new IllegalArgumentException(
+					"Point " + i + " of the polyline is not finite: " + x[i] + "," + y[i] + ".");
 		return new Polyline(x.clone(), y.clone());
 	}
 
@@ -55,8 +55,8 @@ public final class Polyline {
 	 * @return the polyline
 	 */
 	public static Polyline of(final List<Point> points) {
-		return of(points.stream().mapToDouble(Point::x).toArray(), points.stream()
-			.mapToDouble(Point::y).toArray());
+		return of(points.stream().mapToDouble(Point::x).toArray(),
+			points.stream().mapToDouble(Point::y).toArray());
 	}
 
 	/** @return the number of points, at least 1 */
@@ -140,15 +140,17 @@ public final class Polyline {
 	 * @return the point
 	 */
 	public Point at(final double s) {
-		if (s <= 0 || size() == 1) return first();
-		if (s >= length()) return last();
+		if (s <= 0 || size() == 1)
+			return first();
+		if (s >= length())
+			return last();
 		int hi = Arrays.binarySearch(arc, s);
-		if (hi >= 0) return point(hi);
+		if (hi >= 0)
+			return point(hi);
 		hi = -hi - 1;
 		final double step = arc[hi] - arc[hi - 1];
 		final double f = step > SAME_POINT ? (s - arc[hi - 1]) / step : 0;
-		return new Point(x[hi - 1] + f * (x[hi] - x[hi - 1]), y[hi - 1] + f *
-			(y[hi] - y[hi - 1]));
+		return new Point(x[hi - 1] + f * (x[hi] - x[hi - 1]), y[hi - 1] + f * (y[hi] - y[hi - 1]));
 	}
 
 	/**
@@ -160,11 +162,12 @@ public final class Polyline {
 	 *         is returned as its first point
 	 */
 	public Polyline resampled(final double step) {
-		if (!(step > 0)) throw new IllegalArgumentException(
-			"The resampling step must be above 0 pixels, but is " + step + ".");
-		return length() <= SAME_POINT ? new Polyline(new double[] { x[0] },
-			new double[] { y[0] }) : divided(Math.max(1, (int) Math.rint(length() /
-				step)));
+		if (!(step > 0))
+			throw new IllegalArgumentException(
+				"The resampling step must be above 0 pixels, but is " + step + ".");
+		return length() <= SAME_POINT
+			? new Polyline(new double[]{x[0]}, new double[]{y[0]})
+			: divided(Math.max(1, (int) Math.rint(length() / step)));
 	}
 
 	/**
@@ -183,8 +186,9 @@ public final class Polyline {
 			final int lo = Math.max(0, k - 1);
 			final int hi = Math.min(k, size() - 1);
 			final double width = arc[hi] - arc[lo];
-			final double f = width > SAME_POINT ? Math.min(1, Math.max(0, (s -
-				arc[lo]) / width)) : 0;
+			final double f = width > SAME_POINT
+				? Math.min(1, Math.max(0, (s - arc[lo]) / width))
+				: 0;
 			rx[i] = x[lo] + f * (x[hi] - x[lo]);
 			ry[i] = y[lo] + f * (y[hi] - y[lo]);
 		}
@@ -200,7 +204,8 @@ public final class Polyline {
 	 * @return the first {@code s} pixels of the curve
 	 */
 	public Polyline head(final double s) {
-		if (s >= length()) return this;
+		if (s >= length())
+			return this;
 		int n = 1;
 		while (n < size() && arc[n] < s)
 			n++;
@@ -213,8 +218,7 @@ public final class Polyline {
 
 	@Override
 	public boolean equals(final Object o) {
-		return o instanceof Polyline p && Arrays.equals(x, p.x) && Arrays.equals(y,
-			p.y);
+		return o instanceof Polyline p && Arrays.equals(x, p.x) && Arrays.equals(y, p.y);
 	}
 
 	@Override
@@ -224,7 +228,7 @@ public final class Polyline {
 
 	@Override
 	public String toString() {
-		return "Polyline of " + size() + " points, " + length() + " px, from " +
-			first() + " to " + last();
+		return "Polyline of " + size() + " points, " + length() + " px, from " + first() + " to "
+			+ last();
 	}
 }

@@ -12,9 +12,26 @@ import java.util.OptionalDouble;
  * @param contractionBias -1..1; positive shrinks the mask
  * @param smoothFactor 0..10; the larger, the smoother the outline
  */
-public record Segmentation(OptionalDouble threshold,int iterations,double contractionBias,double smoothFactor){
+public record Segmentation(OptionalDouble threshold, int iterations, double contractionBias,
+	double smoothFactor) {
 
-/** The defaults of the published method. */
-public static final Segmentation DEFAULT=new Segmentation(OptionalDouble.empty(),10,0.4,0.2);
+	/** The defaults of the published method. */
+	public static final Segmentation DEFAULT = new Segmentation(OptionalDouble.empty(), 10, 0.4,
+		0.2);
 
-public Segmentation{if(threshold.isPresent()&&!(threshold.getAsDouble()>=0&&threshold.getAsDouble()<=1))throw new IllegalArgumentException("threshold must be from 0 to 1, or otsu, but is "+threshold.getAsDouble()+".");if(iterations<0||iterations>1000)throw new IllegalArgumentException("iterations must be from 0 to 1000, but is "+iterations+".");if(!(contractionBias>=-1&&contractionBias<=1))throw new IllegalArgumentException("contraction_bias must be from -1 to 1, but is "+contractionBias+".");if(!(smoothFactor>=0&&smoothFactor<=10))throw new IllegalArgumentException("smooth_factor must be from 0 to 10, but is "+smoothFactor+".");}}
+	public Segmentation {
+		if (threshold.isPresent()
+			&& !(threshold.getAsDouble() >= 0 && threshold.getAsDouble() <= 1))
+			throw new IllegalArgumentException(
+				"threshold must be from 0 to 1, or otsu, but is " + threshold.getAsDouble() + ".");
+		if (iterations < 0 || iterations > 1000)
+			throw new IllegalArgumentException(
+				"iterations must be from 0 to 1000, but is " + iterations + ".");
+		if (!(contractionBias >= -1 && contractionBias <= 1))
+			throw new IllegalArgumentException(
+				"contraction_bias must be from -1 to 1, but is " + contractionBias + ".");
+		if (!(smoothFactor >= 0 && smoothFactor <= 10))
+			throw new IllegalArgumentException(
+				"smooth_factor must be from 0 to 10, but is " + smoothFactor + ".");
+	}
+}

@@ -4,7 +4,8 @@ package io.github.knotresolver.measure;
 /** Turns that angles leave open. */
 final class Angles {
 
-	private Angles() {}
+	private Angles() {
+	}
 
 	/** @return {@code angle} plus whole turns, as near to {@code to} as can be */
 	static double nearest(final double angle, final double to) {

@@ -33,18 +33,20 @@ public final class ContourGeometry {
 	private final double[] tangentAngle;
 	private final double[] curvature;
 	private final CurveNoise noise;
+	private final Estimate bending;
 
 	private ContourGeometry(final SmoothedCurve curve, final Smoothing smoothing,
-		final double pixelSize)
-	{
+		final double pixelSize) {
 		this.smoothing = smoothing;
 		this.pixelSize = pixelSize;
-		this.arcLength = curve.arcLength();
+
 		this.x = curve.x();
 		this.y = curve.y();
 		this.tangentAngle = curve.tangentAngle();
 		this.curvature = curve.curvature();
 		this.noise = curve.noise();
+		this.arcLength = curve.arcLength(noise.sigma() * noise.sigma() * noise.inflation());
+		this.bending = curve.bending(noise, smoothing.window());
 	}
 
 	/**
@@ -58,9 +60,7 @@ public final class ContourGeometry {
 	 * @throws IllegalArgumentException if the contour has fewer than three points
 	 *           or no length
 	 */
-	public static ContourGeometry of(final Polyline contourPx,
-		final Calibration c)
-	{
+	public static ContourGeometry of(final Polyline contourPx, final Calibration c) {
 		requireMeasurable(contourPx);
 		return of(contourPx, c, Smoothing.derivedFrom(List.of(contourPx), c));
 	}
@@ -76,20 +76,19 @@ public final class ContourGeometry {
 	 * @throws IllegalArgumentException if the contour has fewer than three points
 	 *           or no length
 	 */
-	public static ContourGeometry of(final Polyline contourPx,
-		final Calibration c, final Smoothing smoothing)
-	{
+	public static ContourGeometry of(final Polyline contourPx, final Calibration c,
+		final Smoothing smoothing) {
 		requireMeasurable(contourPx);
 		final Samples raw = Samples.of(contourPx, c.pixelSize());
 		final int order = Math.min(smoothing.order(), contourPx.size() - 1);
 		final double window = Math.min(smoothing.window(), raw.length());
 		// Noise makes a chain of points longer than its curve; the window is
 		// meant in lengths of the curve, so arc length is found first.
-		final double[] arc = SmoothedCurve.of(raw, window, order, order +
-			SPARE_POINTS).arcLength();
+		final double[] arc = SmoothedCurve.of(raw, window, order, order + SPARE_POINTS).arcLength();
 		final double width = Math.min(window, arc[arc.length - 1]);
-		final SmoothedCurve curve = SmoothedCurve.of(raw.over(arc), width, order,
-			order + SPARE_POINTS).withBias(width, order, order + SPARE_POINTS);
+		final SmoothedCurve curve = SmoothedCurve
+			.of(raw.over(arc), width, order, order + SPARE_POINTS)
+			.withBias(width, order, order + SPARE_POINTS);
 		return new ContourGeometry(curve, smoothing, c.pixelSize());
 	}
 
@@ -102,10 +101,11 @@ public final class ContourGeometry {
 	}
 
 	private static void requireMeasurable(final Polyline contourPx) {
-		if (!isMeasurable(contourPx)) throw new IllegalArgumentException(
-			"A contour must have at least 3 points and a length above 0 to be measured, but this one has " +
-				contourPx.size() + " points and a length of " + contourPx.length() +
-				" px; leave this frame out or correct it.");
+		if (!isMeasurable(contourPx))
+			throw new IllegalArgumentException(
+				"A contour must have at least 3 points and a length above 0 to be measured, but this one has "
+					+ contourPx.size() + " points and a length of " + contourPx.length()
+					+ " px; leave this frame out or correct it.");
 	}
 
 	/** @return the number of points */
@@ -149,6 +149,15 @@ public final class ContourGeometry {
 	/** @return the noise of the points and the standard errors it causes */
 	public CurveNoise noise() {
 		return noise;
+	}
+
+	/**
+	 * @return ½ ∫ κ² ds in 1/unit of length: the bending energy of a filament of
+	 *         rigidity 1. What noise adds on average is taken off, so a straight
+	 *         noisy filament scatters about 0.
+	 */
+	public Estimate bendingIntegral() {
+		return bending;
 	}
 
 	/** @return length of the smoothed curve, in the unit of length */

@@ -15,4 +15,6 @@ package io.github.knotresolver.measure;
  * @param tangentAngle standard error of each tangent angle, radians
  * @param curvature standard error of each curvature, 1/unit of length
  */
-public record CurveNoise(double sigma,double inflation,double[]across,double[]tangentAngle,double[]curvature){}
+public record CurveNoise(double sigma, double inflation, double[] across, double[] tangentAngle,
+	double[] curvature) {
+}

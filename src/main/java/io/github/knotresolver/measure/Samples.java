@@ -70,23 +70,24 @@ final class Samples {
 	 * @return index of the first point, and index after the last
 	 */
 	int[] window(final double at, final double width, final int least) {
-		final double start = Math.max(0, Math.min(at - width / 2, length() -
-			width));
+		final double start = Math.max(0, Math.min(at - width / 2, length() - width));
 		int from = lowerBound(start - 1e-9 * width);
 		int to = Math.max(from, lowerBound(start + width * (1 + 1e-9)));
 		while (to - from < Math.min(least, s.length)) {
-			final boolean left = to == s.length || (from > 0 && at - s[from -
-				1] < s[to] - at);
-			if (left) from--;
-			else to++;
+			final boolean left = to == s.length || (from > 0 && at - s[from - 1] < s[to] - at);
+			if (left)
+				from--;
+			else
+				to++;
 		}
-		return new int[] { from, to };
+		return new int[]{from, to};
 	}
 
 	/** Index of the first point at or after {@code at}. */
 	private int lowerBound(final double at) {
 		int i = Arrays.binarySearch(s, at);
-		if (i < 0) return -i - 1;
+		if (i < 0)
+			return -i - 1;
 		while (i > 0 && s[i - 1] >= at)
 			i--;
 		return i;

@@ -17,22 +17,29 @@ final class SmoothingBias {
 	private final double window;
 	private final double[][] squares;
 	private final double[][] excess;
+	private final double[] curvatureDifference;
 
 	SmoothingBias(final Samples raw, final double window) {
 		this.raw = raw;
 		this.window = window;
 		squares = new double[2][raw.size()];
 		excess = new double[2][raw.size()];
+		curvatureDifference = new double[raw.size()];
 	}
 
 	/** Differences at point {@code i}, and their variances for unit noise. */
 	void compare(final int i, final double angle, final double angleVariance,
-		final double curvature, final double curvatureVariance)
-	{
+		final double curvature, final double curvatureVariance) {
 		squares[ANGLE][i] = angle * angle;
 		excess[ANGLE][i] = angleVariance;
 		squares[CURVATURE][i] = curvature * curvature;
 		excess[CURVATURE][i] = curvatureVariance;
+		curvatureDifference[i] = curvature;
+	}
+
+	/** @return curvature of the higher order less that of the lower */
+	double curvatureDifference(final int i) {
+		return curvatureDifference[i];
 	}
 
 	/** @return the standard errors with the bias added in squares */
@@ -43,8 +50,7 @@ final class SmoothingBias {
 			double sum = 0;
 			for (int j = w[0]; j < w[1]; j++)
 				sum += squares[what][j] - noise * noise * excess[what][j];
-			out[i] = Math.sqrt(errors[i] * errors[i] + Math.max(0, sum / (w[1] -
-				w[0])));
+			out[i] = Math.sqrt(errors[i] * errors[i] + Math.max(0, sum / (w[1] - w[0])));
 		}
 		return out;
 	}

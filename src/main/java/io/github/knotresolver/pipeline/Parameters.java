@@ -31,46 +31,51 @@ import io.github.knotresolver.mask.Segmentation;
  *          in pixels
  * @param threads number of threads, at least 1
  */
-public record Parameters(Optional<Point>fixedEnd,Cleaning cleaning,Segmentation segmentation,CandidateMethod candidates,ResolverMethod resolver,OptionalDouble length,LengthModel lengthModel,boolean refine,SortedSet<Integer>frames,SortedSet<Integer>ignoreFrames,Map<Integer,Polyline>corrections,int threads){
+public record Parameters(Optional<Point> fixedEnd, Cleaning cleaning, Segmentation segmentation,
+	CandidateMethod candidates, ResolverMethod resolver, OptionalDouble length,
+	LengthModel lengthModel, boolean refine, SortedSet<Integer> frames,
+	SortedSet<Integer> ignoreFrames, Map<Integer, Polyline> corrections, int threads) {
 
-/** Which candidate contours are generated from a frame's graph. */
-public enum CandidateMethod {
+	/** Which candidate contours are generated from a frame's graph. */
+	public enum CandidateMethod {
 		/** The published method: simple paths near the template. */
 		PAPER,
 		/** Trails that may use a segment twice. */
 		TRAILS
-}
+	}
 
-/** How one contour per frame is chosen among the candidates. */
-public enum ResolverMethod {
+	/** How one contour per frame is chosen among the candidates. */
+	public enum ResolverMethod {
 		/** The published method: nearest to the last contour by DTW. */
 		PAPER,
 		/** The cheapest way through the whole movie. */
 		MOVIE
-}
+	}
 
-/** Whether the filament keeps its length. */
+	/** Whether the filament keeps its length. */
 	public enum LengthModel {
-			/** The same in all frames. */
-			CONSTANT,
-			/** Growing or shrinking. */
-			FREE
+		/** The same in all frames. */
+		CONSTANT,
+		/** Growing or shrinking. */
+		FREE
 	}
 
 	/** No fixed end told, automatic threshold, our candidates and resolver. */
 	public static final Parameters DEFAULT = new Parameters(Optional.empty(), Cleaning.DEFAULT,
 		Segmentation.DEFAULT, CandidateMethod.TRAILS, ResolverMethod.MOVIE, OptionalDouble.empty(),
-		LengthModel.CONSTANT, true, new TreeSet<>(), new TreeSet<>(), Map.of(), Runtime.getRuntime()
-			.availableProcessors());
+		LengthModel.CONSTANT, true, new TreeSet<>(), new TreeSet<>(), Map.of(),
+		Runtime.getRuntime().availableProcessors());
 
 	public Parameters {
 		Objects.requireNonNull(candidates);
 		Objects.requireNonNull(resolver);
 		Objects.requireNonNull(lengthModel);
-		if (length.isPresent() && !(length.getAsDouble() > 0)) throw new IllegalArgumentException(
-			"length must be above 0, but is " + length.getAsDouble() + ".");
-		if (threads < 1) throw new IllegalArgumentException("threads must be at least 1, but is " +
-			threads + ".");
+		if (length.isPresent() && !(length.getAsDouble() > 0))
+			throw new IllegalArgumentException(
+				"length must be above 0, but is " + length.getAsDouble() + ".");
+		if (threads < 1)
+			throw new IllegalArgumentException(
+				"threads must be at least 1, but is " + threads + ".");
 		frames = java.util.Collections.unmodifiableSortedSet(new TreeSet<>(frames));
 		ignoreFrames = java.util.Collections.unmodifiableSortedSet(new TreeSet<>(ignoreFrames));
 		corrections = Map.copyOf(corrections);

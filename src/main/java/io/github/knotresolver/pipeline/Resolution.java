@@ -21,9 +21,19 @@ import io.github.knotresolver.track.TrackedFrame;
  * @param notes what a user should know about the run: limits that were hit,
  *          choices that were made; one sentence each
  */
-public record Resolution(Movie movie,Parameters parameters,Optional<Point>fixedEnd,double length,double lengthUncertainty,List<TrackedFrame>frames,List<String>notes){
+public record Resolution(Movie movie, Parameters parameters, Optional<Point> fixedEnd,
+	double length, double lengthUncertainty, List<TrackedFrame> frames, List<String> notes) {
 
-public Resolution{if(frames.size()!=movie.size())throw new IllegalArgumentException("The movie has "+movie.size()+" frames, but the result has "+frames.size()+".");frames=List.copyOf(frames);notes=List.copyOf(notes);}
+	public Resolution {
+		if (frames.size() != movie.size())
+			throw new IllegalArgumentException("The movie has " + movie.size()
+				+ " frames, but the result has " + frames.size() + ".");
+		frames = List.copyOf(frames);
+		notes = List.copyOf(notes);
+	}
 
-/** @return how many frames have a contour */
-public int resolved(){return(int)frames.stream().filter(f->f.contour().isPresent()).count();}}
+	/** @return how many frames have a contour */
+	public int resolved() {
+		return (int) frames.stream().filter(f -> f.contour().isPresent()).count();
+	}
+}

@@ -12,7 +12,8 @@ public interface Progress {
 	Progress NONE = new Progress() {
 
 		@Override
-		public void report(final String stage, final double fraction) {}
+		public void report(final String stage, final double fraction) {
+		}
 
 		@Override
 		public boolean isCancelled() {
@@ -37,6 +38,7 @@ public interface Progress {
 	 * @throws CancelledException if the user asked to stop
 	 */
 	default void checkCancelled() {
-		if (isCancelled()) throw new CancelledException();
+		if (isCancelled())
+			throw new CancelledException();
 	}
 }

@@ -6,16 +6,16 @@ import java.util.Locale;
 /** What became of a frame. */
 public enum FrameStatus {
 
-		/** One contour was found. */
-		RESOLVED,
-		/** The user said what the contour is, or where it passes. */
-		CORRECTED,
-		/** The filament is there, but no contour can be trusted. */
-		UNRESOLVED,
-		/** The filament was not found in this frame. */
-		LOST,
-		/** The user asked to leave this frame out. */
-		IGNORED;
+	/** One contour was found. */
+	RESOLVED,
+	/** The user said what the contour is, or where it passes. */
+	CORRECTED,
+	/** The filament is there, but no contour can be trusted. */
+	UNRESOLVED,
+	/** The filament was not found in this frame. */
+	LOST,
+	/** The user asked to leave this frame out. */
+	IGNORED;
 
 	/** @return the name as written to files: lower case */
 	public String label() {

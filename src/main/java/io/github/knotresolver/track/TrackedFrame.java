@@ -21,19 +21,36 @@ import io.github.knotresolver.geometry.Polyline;
  * @param confidence 0..1: how sure it is that no other contour is right; NaN if
  *          there is no contour
  */
-public record TrackedFrame(int frame,FrameStatus status,String reason,Optional<Polyline>contour,int junctions,int candidates,double cost,double confidence){
+public record TrackedFrame(int frame, FrameStatus status, String reason, Optional<Polyline> contour,
+	int junctions, int candidates, double cost, double confidence) {
 
-public TrackedFrame{if(frame<1)throw new IllegalArgumentException("Frames count from 1, but this is frame "+frame+".");Objects.requireNonNull(reason);final boolean expected=status==FrameStatus.RESOLVED||status==FrameStatus.CORRECTED;if(contour.isPresent()!=expected)throw new IllegalArgumentException("Frame "+frame+" is "+status.label()+(expected?" but has no contour.":" but has a contour."));}
+	public TrackedFrame {
+		if (frame < 1)
+			throw new IllegalArgumentException(
+				"Frames count from 1, but this is frame " + frame + ".");
+		Objects.requireNonNull(reason);
+		final boolean expected = status == FrameStatus.RESOLVED || status == FrameStatus.CORRECTED;
+		if (contour.isPresent() != expected)
+			throw new IllegalArgumentException("Frame " + frame + " is " + status.label()
+				+ (expected ? " but has no contour." : " but has a contour."));
+	}
 
-/**
- * A frame without a contour.
- *
- * @param frame 1-based number of the frame
- * @param status any but {@code RESOLVED} and {@code CORRECTED}
- * @param reason why, one sentence
- * @return the frame
- */
-public static TrackedFrame without(final int frame,final FrameStatus status,final String reason){return new TrackedFrame(frame,status,reason,Optional.empty(),0,0,Double.NaN,Double.NaN);}
+	/**
+	 * A frame without a contour.
+	 *
+	 * @param frame 1-based number of the frame
+	 * @param status any but {@code RESOLVED} and {@code CORRECTED}
+	 * @param reason why, one sentence
+	 * @return the frame
+	 */
+	public static TrackedFrame without(final int frame, final FrameStatus status,
+		final String reason) {
+		return new TrackedFrame(frame, status, reason, Optional.empty(), 0, 0, Double.NaN,
+			Double.NaN);
+	}
 
-/** @return how often the contour crosses itself; 0 without a contour */
-public int crossings(){return contour.map(c->Crossings.of(c).size()).orElse(0);}}
+	/** @return how often the contour crosses itself; 0 without a contour */
+	public int crossings() {
+		return contour.map(c -> Crossings.of(c).size()).orElse(0);
+	}
+}

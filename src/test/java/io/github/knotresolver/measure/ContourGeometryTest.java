@@ -17,13 +17,12 @@ import io.github.knotresolver.geometry.Polyline;
 
 class ContourGeometryTest {
 
-	private static final Calibration MICRONS = new Calibration(0.1, "µm", 10,
-		"s");
+	private static final Calibration MICRONS = new Calibration(0.1, "µm", 10, "s");
 
 	@Test
 	void lineHasItsLengthAndNoCurvature() {
-		final Polyline line = Polyline.of(new double[] { 0, 3, 6, 9, 12, 15 },
-			new double[] { 0, 4, 8, 12, 16, 20 });
+		final Polyline line = Polyline.of(new double[]{0, 3, 6, 9, 12, 15},
+			new double[]{0, 4, 8, 12, 16, 20});
 		final ContourGeometry g = ContourGeometry.of(line, MICRONS);
 		assertEquals(2.5, g.length(), 1e-9);
 		assertEquals(2.5, g.endToEnd(), 1e-9);
@@ -33,7 +32,7 @@ class ContourGeometryTest {
 	}
 
 	@ParameterizedTest
-	@ValueSource(doubles = { 10, 20, 50 })
+	@ValueSource(doubles = {10, 20, 50})
 	void circleHasItsCurvatureAndTurnsOnce(final double radius) {
 		final Polyline arc = Curves.circle(radius, 1.5 * Math.PI, 0, 1);
 		final ContourGeometry g = ContourGeometry.of(arc, MICRONS);
@@ -42,8 +41,7 @@ class ContourGeometryTest {
 		assertEquals(2 * Math.PI, g.tipAngle(), 0.015);
 		for (int i = 0; i < g.size(); i++) {
 			final boolean end = i < 6 || i >= g.size() - 6;
-			assertEquals(10 / radius, g.curvature()[i], (end ? 0.12 : 0.03) * 10 /
-				radius);
+			assertEquals(10 / radius, g.curvature()[i], (end ? 0.12 : 0.03) * 10 / radius);
 		}
 	}
 
@@ -52,21 +50,20 @@ class ContourGeometryTest {
 	void turningTowardsYIsPositive() {
 		final Polyline arc = Curves.circle(20, 1, 0, 1);
 		assertTrue(ContourGeometry.of(arc, MICRONS).curvature()[5] > 0);
-		final Polyline mirrored = Polyline.of(arc.xs(), java.util.Arrays.stream(arc
-			.ys()).map(y -> -y).toArray());
+		final Polyline mirrored = Polyline.of(arc.xs(),
+			java.util.Arrays.stream(arc.ys()).map(y -> -y).toArray());
 		assertTrue(ContourGeometry.of(mirrored, MICRONS).curvature()[5] < 0);
 	}
 
 	@ParameterizedTest
-	@CsvSource({ "0.1, 0.004", "0.3, 0.006" })
-	void noisyCircleKeepsItsLengthAndCurvature(final double noise,
-		final double tolerance)
-	{
+	@CsvSource({"0.1, 0.004", "0.3, 0.006"})
+	void noisyCircleKeepsItsLengthAndCurvature(final double noise, final double tolerance) {
 		double length = 0, curvature = 0;
 		final int repeats = 40;
 		for (int seed = 0; seed < repeats; seed++) {
-			final ContourGeometry g = ContourGeometry.of(Curves.noisy(Curves.circle(
-				30, 1.8 * Math.PI, 0, 1), noise, new Random(seed)), MICRONS);
+			final ContourGeometry g = ContourGeometry.of(
+				Curves.noisy(Curves.circle(30, 1.8 * Math.PI, 0, 1), noise, new Random(seed)),
+				MICRONS);
 			length += g.length() / (1.8 * Math.PI * 3) / repeats;
 			for (final double k : g.curvature())
 				curvature += k * 3 / g.size() / repeats;
@@ -80,10 +77,9 @@ class ContourGeometryTest {
 	void staircaseOfPixelsHasTheLengthOfItsCurve() {
 		double length = 0;
 		for (int i = 0; i < 20; i++) {
-			final Polyline pixels = Curves.pixels(Curves.circle(25 + 0.37 * i, 5, i,
-				0.2));
-			length += ContourGeometry.of(pixels, Calibration.NONE).length() / (5 *
-				(25 + 0.37 * i)) / 20;
+			final Polyline pixels = Curves.pixels(Curves.circle(25 + 0.37 * i, 5, i, 0.2));
+			length += ContourGeometry.of(pixels, Calibration.NONE).length() / (5 * (25 + 0.37 * i))
+				/ 20;
 		}
 		assertEquals(1, length, 0.01);
 	}
@@ -96,8 +92,7 @@ class ContourGeometryTest {
 			final ContourGeometry exact = ContourGeometry.of(truth, MICRONS);
 			final ContourGeometry g = ContourGeometry.of(noisy, MICRONS);
 			assertEquals(truth.length() * 0.1, exact.length(), 1e-3 * exact.length());
-			assertEquals(exact.length(), g.length(), 0.01 * exact.length(), "seed " +
-				seed);
+			assertEquals(exact.length(), g.length(), 0.01 * exact.length(), "seed " + seed);
 			double rms = 0;
 			for (int i = 0; i < g.size(); i++)
 				rms += Math.pow(g.curvature()[i] - exact.curvature()[i], 2) / g.size();
@@ -107,8 +102,7 @@ class ContourGeometryTest {
 
 	@Test
 	void contourOfTwoPointsIsRefusedInOneSentence() {
-		final Polyline two = Polyline.of(new double[] { 0, 1 }, new double[] { 0,
-			0 });
+		final Polyline two = Polyline.of(new double[]{0, 1}, new double[]{0, 0});
 		final String message = assertThrows(IllegalArgumentException.class,
 			() -> ContourGeometry.of(two, MICRONS)).getMessage();
 		assertTrue(message.contains("at least 3 points"), message);
@@ -117,9 +111,9 @@ class ContourGeometryTest {
 
 	@Test
 	void contourWithRepeatedPointsIsMeasured() {
-		final double[] x = { 0, 0, 1, 2, 2, 2, 3, 4, 5, 6, 7, 8, 9, 10, 10 };
-		final ContourGeometry g = ContourGeometry.of(Polyline.of(x,
-			new double[x.length]), Calibration.NONE);
+		final double[] x = {0, 0, 1, 2, 2, 2, 3, 4, 5, 6, 7, 8, 9, 10, 10};
+		final ContourGeometry g = ContourGeometry.of(Polyline.of(x, new double[x.length]),
+			Calibration.NONE);
 		assertEquals(10, g.length(), 1e-6);
 		assertEquals(x.length, g.size());
 	}
