@@ -1,0 +1,108 @@
+package io.github.knotresolver.cli;
+
+import java.io.PrintWriter;
+
+import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.io.ProgramVersion;
+import io.github.knotresolver.io.RunOptions;
+import io.github.knotresolver.progress.CancelledException;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.IVersionProvider;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code knotresolver}: the program's front door on the command line. */
+@Command(name = "knotresolver", mixinStandardHelpOptions = true, usageHelpAutoWidth = true, versionProvider = KnotResolverMain.Version.class, description = "Tracks a self-intersecting filament through a microscopy movie.%n", footer = "%nExit status: 0 finished, 1 failed, 2 wrong usage or unreadable input, 130 cancelled.")
+public final class KnotResolverMain implements Runnable {
+
+	private static final String ISSUES = "https://github.com/knotresolver/knotresolver-fiji/issues";
+
+	@Spec
+	private CommandSpec spec;
+
+	private KnotResolverMain() {
+	}
+
+	/**
+	 * Runs the program.
+	 *
+	 * @param engine what resolves a movie
+	 * @param out standard output
+	 * @param err standard error
+	 * @param args the arguments
+	 * @return the exit status
+	 */
+	static int run(final Engine engine, final PrintWriter out, final PrintWriter err,
+		final String... args) {
+		System.setProperty("java.awt.headless", "true");
+		final CommandLine line = new CommandLine(new KnotResolverMain())
+			.addSubcommand(new ResolveSubcommand(engine));
+		line.setOut(out).setErr(err);
+		line.setParameterExceptionHandler((e, a) -> refuse(err, e));
+		line.setExecutionExceptionHandler((e, c, r) -> fail(err, e));
+		try {
+			return line.execute(args);
+		} catch (final OutOfMemoryError e) {
+			return oneLine(err,
+				"There is not enough memory for this movie; give Java more, such as JAVA_OPTS=-Xmx8g.",
+				ExitStatus.FAILED);
+		} finally {
+			out.flush();
+			err.flush();
+		}
+	}
+
+	@Override
+	public void run() {
+		throw new ParameterException(spec.commandLine(),
+			"Say what to do, such as: knotresolver resolve MOVIE.tif --out DIR");
+	}
+
+	private static int refuse(final PrintWriter err, final ParameterException e) {
+		final boolean ours = e.getCause() instanceof IllegalArgumentException;
+		final String help = ours
+			? ""
+			: " (" + e.getCommandLine().getCommandSpec().qualifiedName() + " --help tells more)";
+		return oneLine(err, asOption(e.getMessage()) + help, ExitStatus.USAGE);
+	}
+
+	private static int fail(final PrintWriter err, final Exception e) {
+		if (e instanceof CancelledException)
+			return oneLine(err, "Cancelled; nothing was written.", ExitStatus.CANCELLED);
+		if (e instanceof IllegalArgumentException)
+			return oneLine(err, asOption(e.getMessage()), ExitStatus.FAILED);
+		if (e instanceof java.io.IOException)
+			return oneLine(err, "The result could not be written: " + e.getMessage() + ".",
+				ExitStatus.FAILED);
+		return unexpected(err, e);
+	}
+
+	private static int unexpected(final PrintWriter err, final Throwable e) {
+		return oneLine(err, "Unexpected failure, please report it at " + ISSUES + ": " + e,
+			ExitStatus.FAILED);
+	}
+
+	private static int oneLine(final PrintWriter err, final String message, final int status) {
+		err.println(message.strip().replaceAll("\\s*\\R\\s*", " "));
+		return status;
+	}
+
+	/** Macros say {@code contraction_bias}, the command line says it so. */
+	private static String asOption(final String message) {
+		for (final String key : RunOptions.KEYS)
+			if (message.startsWith(key + " "))
+				return "--" + key.replace('_', '-') + message.substring(key.length());
+		return message;
+	}
+
+	/** Says which version this is. */
+	static final class Version implements IVersionProvider {
+
+		@Override
+		public String[] getVersion() {
+			return new String[]{ProgramVersion.NAME + " " + ProgramVersion.get()};
+		}
+	}
+}

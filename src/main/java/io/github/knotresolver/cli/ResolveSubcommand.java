@@ -1,0 +1,109 @@
+package io.github.knotresolver.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.Callable;
+
+import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.imagej.ImageMovie;
+import io.github.knotresolver.imagej.MovieLoader;
+import io.github.knotresolver.imagej.ResultWriter;
+import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.io.RunOptions;
+import io.github.knotresolver.pipeline.Resolution;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code knotresolver resolve}: from a movie to a result folder. */
+@Command(name = "resolve", mixinStandardHelpOptions = true, sortOptions = false, usageHelpAutoWidth = true, description = "Finds one ordered contour per frame of a filament that crosses itself.%n")
+final class ResolveSubcommand implements Callable<Integer> {
+
+	@Spec
+	private CommandSpec spec;
+
+	@Parameters(arity = "0..1", paramLabel = "MOVIE", description = "TIFF stack or another movie that ImageJ reads.")
+	private Path movie;
+
+	@Option(names = "--sample", description = "Resolve the sample movie that comes with the program.")
+	private boolean sample;
+
+	@Option(names = "--out", required = true, paramLabel = "DIR", description = "Folder of the result; made if absent.")
+	private Path out;
+
+	@Option(names = "--force", description = "Replace a result that is already there.")
+	private boolean force;
+
+	@Option(names = "--plots", negatable = true, defaultValue = "true", fallbackValue = "true", description = "Write plots and projections as PNG, or not [on].")
+	private boolean plots;
+
+	@Mixin
+	private ResolveOptions options;
+
+	private final Engine engine;
+
+	ResolveSubcommand(final Engine engine) {
+		this.engine = engine;
+	}
+
+	@Override
+	public Integer call() throws IOException {
+		final ConsoleProgress progress = new ConsoleProgress(spec.commandLine().getErr());
+		final Interruption interruption = Interruption.listen(progress::cancel);
+		try {
+			resolve(progress);
+			return ExitStatus.FINISHED;
+		} finally {
+			interruption.finished();
+		}
+	}
+
+	private void resolve(final ConsoleProgress progress) throws IOException {
+		final RunOptions run;
+		final Movie input;
+		final io.github.knotresolver.pipeline.Parameters parameters;
+		try {
+			run = RunOptions.parse(texts());
+			ResultFolder.check(out, force);
+			input = load(run);
+			parameters = run.parameters(input);
+		} catch (final IllegalArgumentException e) {
+			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+		}
+		final Resolution resolution = engine.resolve(input, parameters, progress);
+		final ResultWriter writer = new ResultWriter(resolution, run.input());
+		writer.write(out, force, plots, progress);
+		final PrintWriter stdout = spec.commandLine().getOut();
+		RunReport.lines(resolution, writer.frames(), out).forEach(stdout::println);
+	}
+
+	private Movie load(final RunOptions run) {
+		if (sample == (movie != null))
+			throw new IllegalArgumentException(sample
+				? "Either a movie or --sample, but not both."
+				: "Name a movie, or add --sample for the one that comes along.");
+		return sample
+			? ImageMovie.of(MovieLoader.sample(), run.input())
+			: MovieLoader.load(movie, run.input());
+	}
+
+	/** The options that were given, by the keys that all front doors share. */
+	private Map<String, String> texts() {
+		final Map<String, String> texts = new TreeMap<>();
+		for (final OptionSpec option : spec.commandLine().getParseResult().matchedOptions()) {
+			final String key = option.longestName().substring(2).replace('-', '_');
+			if (RunOptions.KEYS.contains(key))
+				texts.put(key, String.valueOf(option.<Object>getValue()));
+		}
+		return texts;
+	}
+}

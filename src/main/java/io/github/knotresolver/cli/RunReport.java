@@ -1,0 +1,50 @@
+package io.github.knotresolver.cli;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SortedSet;
+import java.util.TreeSet;
+
+import io.github.knotresolver.io.FrameSelection;
+import io.github.knotresolver.io.LengthStatistics;
+import io.github.knotresolver.io.MeasuredFrame;
+import io.github.knotresolver.io.NumberText;
+import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.track.FrameStatus;
+
+/** The short summary on standard output. */
+final class RunReport {
+
+	private RunReport() {
+	}
+
+	/**
+	 * @param resolution the result
+	 * @param frames its frames, measured
+	 * @param out where it was written
+	 * @return a few lines
+	 */
+	static List<String> lines(final Resolution resolution, final List<MeasuredFrame> frames,
+		final Path out) {
+		final List<String> lines = new ArrayList<>();
+		final LengthStatistics s = LengthStatistics.of(frames);
+		final String unit = " " + resolution.movie().calibration().unit();
+		lines.add(resolution.movie().name() + ": " + resolution.resolved() + " of "
+			+ resolution.movie().size() + " frames resolved"
+			+ (Double.isNaN(s.median())
+				? "."
+				: ", median length " + NumberText.significant(s.median()) + unit + " (sd "
+					+ NumberText.significant(s.sd()) + unit + ")."));
+		for (final FrameStatus status : List.of(FrameStatus.UNRESOLVED, FrameStatus.LOST)) {
+			final SortedSet<Integer> some = new TreeSet<>(resolution.frames().stream()
+				.filter(f -> f.status() == status).map(f -> f.frame()).toList());
+			if (!some.isEmpty())
+				lines.add("Frames " + status.label() + ": " + FrameSelection.format(some)
+					+ " (frames.csv says why).");
+		}
+		lines.addAll(resolution.notes());
+		lines.add("Result: " + out + " (look at montage.png first).");
+		return lines;
+	}
+}

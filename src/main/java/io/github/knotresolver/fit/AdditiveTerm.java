@@ -1,0 +1,176 @@
+
+package io.github.knotresolver.fit;
+
+import java.util.Arrays;
+
+import org.apache.commons.math3.special.Erf;
+
+/**
+ * The additive line model: a pixel sees the sum over all links of the line
+ * integral of a Gaussian point spread function, which for one link is
+ * exp(-n²/2σ²) (erf(t/√2σ) - erf((t-l)/√2σ)) / 2, with t along and n across the
+ * link. An infinite straight line has the value 1 on its ridge.
+ */
+final class AdditiveTerm implements ImageTerm {
+
+	/** Links whose contribution to a pixel is below this are left out. */
+	private static final double DARK = 1e-4;
+
+	private final NormalizedFrame frame;
+	private final double[] brightness;
+	private final double sigma2;
+	private final double reach;
+	private final Table gauss;
+	private final Table error;
+	private final double density;
+
+	private final double[] model;
+	private final int[] head;
+	private final int[] band;
+	private int bandSize;
+
+	// One entry for each pair of a pixel and a link in reach.
+	private int[] next = new int[1 << 14];
+	private int[] link = new int[1 << 14];
+	private double[] slope = new double[1 << 16];
+	private int entries;
+
+	private int[] nodes = new int[64];
+	private double[] jacobian = new double[128];
+
+	AdditiveTerm(final NormalizedFrame frame, final LineModel line, final int links) {
+		this.frame = frame;
+		brightness = line.brightnessOfLinks(links);
+		sigma2 = line.sigma() * line.sigma();
+		reach = line.sigma() * 4.2;
+		gauss = new Table(reach * reach, d2 -> Math.exp(-d2 / (2 * sigma2)));
+		error = new Table(reach, d -> 0.5 * Erf.erfc(d / Math.sqrt(2 * sigma2)));
+		density = 1 / Math.sqrt(2 * Math.PI * sigma2);
+		final int pixels = frame.pixels().length;
+		model = new double[pixels];
+		head = new int[pixels];
+		Arrays.fill(head, -1);
+		band = new int[pixels];
+	}
+
+	@Override
+	public double evaluate(final double[] x, final double[] y, final int links,
+		final NodeSystem system) {
+		accumulate(x, y, links, system != null);
+		if (system != null)
+			system.clear();
+		final double[] pixels = frame.pixels();
+		double sum = 0;
+		for (int b = 0; b < bandSize; b++) {
+			final int at = band[b];
+			final double residual = pixels[at] - model[at];
+			sum += Robust.price(residual) - Robust.price(pixels[at]);
+			if (system != null)
+				addPixel(at, residual, system);
+			model[at] = 0;
+			head[at] = -1;
+		}
+		return sum;
+	}
+
+	@Override
+	public void draw(final double[] x, final double[] y, final int links, final double[] picture) {
+		accumulate(x, y, links, false);
+		Arrays.fill(picture, 0);
+		for (int b = 0; b < bandSize; b++) {
+			final int at = band[b];
+			picture[at] = model[at];
+			model[at] = 0;
+			head[at] = -1;
+		}
+	}
+
+	/** Collects a pixel's entries, joining those of neighbouring links. */
+	private void addPixel(final int at, final double residual, final NodeSystem system) {
+		int count = 0;
+		for (int e = head[at]; e >= 0; e = next[e]) {
+			if (count + 2 > nodes.length) {
+				nodes = Arrays.copyOf(nodes, 2 * nodes.length);
+				jacobian = Arrays.copyOf(jacobian, 2 * jacobian.length);
+			}
+			// The list runs from the last link to the first.
+			if (count == 0 || nodes[count - 1] != link[e] + 1) {
+				nodes[count] = link[e] + 1;
+				jacobian[2 * count] = 0;
+				jacobian[2 * count + 1] = 0;
+				count++;
+			}
+			jacobian[2 * count - 2] += slope[4 * e + 2];
+			jacobian[2 * count - 1] += slope[4 * e + 3];
+			nodes[count] = link[e];
+			jacobian[2 * count] = slope[4 * e];
+			jacobian[2 * count + 1] = slope[4 * e + 1];
+			count++;
+		}
+		system.add(nodes, jacobian, count, Robust.weight(residual), residual);
+	}
+
+	private void accumulate(final double[] x, final double[] y, final int links,
+		final boolean slopes) {
+		bandSize = 0;
+		entries = 0;
+		for (int i = 0; i < links; i++)
+			visitLink(i, x[i], y[i], x[i + 1], y[i + 1], slopes);
+	}
+
+	private void visitLink(final int i, final double ax, final double ay, final double bx,
+		final double by, final boolean slopes) {
+		final int left = Math.max(0, (int) Math.ceil(Math.min(ax, bx) - reach));
+		final int right = Math.min(frame.width() - 1, (int) Math.floor(Math.max(ax, bx) + reach));
+		final int top = Math.max(0, (int) Math.ceil(Math.min(ay, by) - reach));
+		final int bottom = Math.min(frame.height() - 1, (int) Math.floor(Math.max(ay, by) + reach));
+		final double l = Math.hypot(bx - ax, by - ay), ux = (bx - ax) / l, uy = (by - ay) / l;
+		for (int row = top; row <= bottom; row++)
+			for (int column = left; column <= right; column++) {
+				final double px = column - ax, py = row - ay;
+				final double t = px * ux + py * uy, n = px * -uy + py * ux;
+				if (n >= reach || n <= -reach || t <= -reach || t >= l + reach)
+					continue;
+				final double across = brightness[i] * gauss.at(n * n);
+				final double value = across * (cumulative(t) - cumulative(t - l));
+				if (value < DARK)
+					continue;
+				final int at = row * frame.width() + column;
+				if (head[at] == -1 && model[at] == 0)
+					band[bandSize++] = at;
+				model[at] += value;
+				if (slopes)
+					addEntry(at, i, value, across, t, n, l, ux, uy);
+			}
+	}
+
+	/** Share of a Gaussian below t. */
+	private double cumulative(final double t) {
+		return t < 0 ? error.at(-t) : 1 - error.at(t);
+	}
+
+	private void addEntry(final int at, final int i, final double value, final double across,
+		final double t, final double n, final double l, final double ux, final double uy) {
+		if (entries == next.length)
+			grow();
+		next[entries] = head[at];
+		link[entries] = i;
+		head[at] = entries;
+		final double begin = across * density * gauss.at(t * t);
+		final double end = across * density * gauss.at((t - l) * (t - l));
+		final double shift = value * n / sigma2, turn = (begin - end) * n / l;
+		final double startAcross = shift * (1 - t / l) - turn, endAcross = shift * t / l + turn;
+		final int s = 4 * entries;
+		slope[s] = startAcross * -uy - begin * ux;
+		slope[s + 1] = startAcross * ux - begin * uy;
+		slope[s + 2] = endAcross * -uy + end * ux;
+		slope[s + 3] = endAcross * ux + end * uy;
+		entries++;
+	}
+
+	private void grow() {
+		next = Arrays.copyOf(next, 2 * next.length);
+		link = Arrays.copyOf(link, 2 * link.length);
+		slope = Arrays.copyOf(slope, 2 * slope.length);
+	}
+}

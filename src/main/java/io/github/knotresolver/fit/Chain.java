@@ -1,0 +1,147 @@
+
+package io.github.knotresolver.fit;
+
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+
+/**
+ * An inextensible filament: links of equal length, each with its own direction.
+ * The total length is {@code links() * linkLength()}, whatever the shape.
+ */
+public final class Chain {
+
+	private final double x0;
+	private final double y0;
+	private final double[] theta;
+	private final double linkLength;
+
+	Chain(final double x0, final double y0, final double[] theta, final double linkLength) {
+		this.x0 = x0;
+		this.y0 = y0;
+		this.theta = theta;
+		this.linkLength = linkLength;
+	}
+
+	/**
+	 * The chain that follows a curve, scaled to a given length: a curve that is
+	 * too short or too long keeps its shape and is stretched along its arc.
+	 *
+	 * @param curve at least two different points, fixed end first, in pixels
+	 * @param links number of links, at least 2
+	 * @param length total length of the chain in pixels, above 0
+	 * @return the chain, starting at the curve's first point
+	 */
+	public static Chain along(final Polyline curve, final int links, final double length) {
+		final Polyline nodes = curve.divided(links);
+		final double[] theta = new double[links];
+		for (int i = 0; i < links; i++) {
+			final double angle = Math.atan2(nodes.y(i + 1) - nodes.y(i),
+				nodes.x(i + 1) - nodes.x(i));
+			theta[i] = i == 0 ? angle : nearest(angle, theta[i - 1]);
+		}
+		return new Chain(nodes.x(0), nodes.y(0), theta, length / links);
+	}
+
+	/**
+	 * The angle equal to {@code angle} modulo a full turn and nearest to another.
+	 */
+	static double nearest(final double angle, final double other) {
+		return angle + 2 * Math.PI * Math.rint((other - angle) / (2 * Math.PI));
+	}
+
+	/** @return the number of links */
+	public int links() {
+		return theta.length;
+	}
+
+	/** @return the length of one link in pixels */
+	public double linkLength() {
+		return linkLength;
+	}
+
+	/** @return the length of the filament in pixels */
+	public double length() {
+		return linkLength * theta.length;
+	}
+
+	/** @return the fixed end */
+	public Point start() {
+		return new Point(x0, y0);
+	}
+
+	/**
+	 * @param i 0 to {@code links() - 1}
+	 * @return the direction of a link in radians, continuous along the chain
+	 */
+	public double angle(final int i) {
+		return theta[i];
+	}
+
+	/** @return a copy of the directions of all links in radians */
+	public double[] angles() {
+		return theta.clone();
+	}
+
+	/**
+	 * @return the nodes as a polyline of {@code links() + 1} points, in pixels
+	 */
+	public Polyline polyline() {
+		final double[] x = new double[theta.length + 1], y = new double[theta.length + 1];
+		nodes(x, y);
+		return Polyline.of(x, y);
+	}
+
+	/** Writes the nodes into the arrays, which hold at least links + 1 values. */
+	void nodes(final double[] x, final double[] y) {
+		x[0] = x0;
+		y[0] = y0;
+		for (int i = 0; i < theta.length; i++) {
+			x[i + 1] = x[i] + linkLength * Math.cos(theta[i]);
+			y[i + 1] = y[i] + linkLength * Math.sin(theta[i]);
+		}
+	}
+
+	/**
+	 * This shape if it went on changing as it did since an earlier one.
+	 *
+	 * @param earlier an earlier chain with as many links
+	 * @param factor 1 for a full step onwards, 0 for none
+	 * @return the extrapolated chain
+	 */
+	public Chain extrapolated(final Chain earlier, final double factor) {
+		final double[] next = theta.clone();
+		final double turn = nearest(earlier.theta[0], theta[0]) - earlier.theta[0];
+		for (int i = 0; i < next.length; i++)
+			next[i] += factor * (theta[i] - earlier.theta[i] - turn);
+		return new Chain(x0, y0, next, linkLength);
+	}
+
+	/**
+	 * Mean distance of corresponding nodes: the distance at equal arc length from
+	 * the fixed end.
+	 *
+	 * @param other a chain with as many links
+	 * @return the distance in pixels
+	 */
+	public double distance(final Chain other) {
+		final int n = theta.length + 1;
+		final double[] ax = new double[n], ay = new double[n], bx = new double[n],
+			by = new double[n];
+		nodes(ax, ay);
+		other.nodes(bx, by);
+		double sum = 0;
+		for (int i = 0; i < n; i++)
+			sum += Math.hypot(ax[i] - bx[i], ay[i] - by[i]);
+		return sum / n;
+	}
+
+	/**
+	 * The chain moved by a step of the solver: x0, y0, angles and link length.
+	 */
+	Chain moved(final double[] step, final double scale, final double linkStep) {
+		final double[] next = new double[theta.length];
+		for (int i = 0; i < next.length; i++)
+			next[i] = theta[i] + scale * step[i + 2];
+		return new Chain(x0 + scale * step[0], y0 + scale * step[1], next, linkLength + linkStep);
+	}
+}

@@ -1,0 +1,228 @@
+
+package io.github.knotresolver.fit;
+
+import java.util.Optional;
+
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.CholeskyDecomposition;
+import org.apache.commons.math3.linear.NonPositiveDefiniteMatrixException;
+
+import io.github.knotresolver.geometry.Point;
+
+/**
+ * Fits chains to one frame by damped least squares (Levenberg-Marquardt,
+ * doi:10.1137/0111030) with the analytic Jacobian of the image term. The energy
+ * of a chain is
+ *
+ * <pre>
+ * Σ rho(I - M) + stiffness Σ Δθ² / h + clampWeight |P0 - clamp|² + memory h Σ |θ - θ_predicted|²
+ * </pre>
+ *
+ * A step costs O(length) for the picture and O(links³) for a small dense
+ * system. Keeps scratch memory: one thread at a time.
+ */
+public final class FilamentFitter {
+
+	/** Largest change of a link's direction in one step, in radians. */
+	private static final double LARGEST_TURN = 0.5;
+
+	/** Largest relative change of the length in one step. */
+	private static final double LARGEST_STRETCH = 0.1;
+
+	private static final int ATTEMPTS = 7;
+
+	private final ImageTerm image;
+	private final Optional<Point> clamp;
+	private final FitSettings settings;
+	private final int links;
+	private final NodeSystem nodes;
+	private final double[] x;
+	private final double[] y;
+
+	/**
+	 * @param frame the frame
+	 * @param model what a line looks like
+	 * @param links number of links of all chains to come, at least 2
+	 * @param clamp where the fixed end is, in pixels; empty if both ends are free
+	 * @param settings weights
+	 */
+	public FilamentFitter(final NormalizedFrame frame, final LineModel model, final int links,
+		final Optional<Point> clamp, final FitSettings settings) {
+		this.image = ImageTerm.of(frame, model, links);
+		this.clamp = clamp;
+		this.settings = settings;
+		this.links = links;
+		nodes = new NodeSystem(links + 1);
+		x = new double[links + 1];
+		y = new double[links + 1];
+	}
+
+	/**
+	 * The best chain of the same length near a start.
+	 *
+	 * @param start where to begin
+	 * @param predicted the shape it is expected to have, if there is one
+	 * @return the fit
+	 */
+	public Fit fit(final Chain start, final Optional<Chain> predicted) {
+		return descend(start, predicted, false);
+	}
+
+	/**
+	 * The best chain near a start, of any length.
+	 *
+	 * @param start where to begin
+	 * @return the fit
+	 */
+	public Fit fitLength(final Chain start) {
+		return descend(start, Optional.empty(), true);
+	}
+
+	/**
+	 * The energy of a chain as it is.
+	 *
+	 * @param chain the chain
+	 * @return the chain with its prices
+	 */
+	public Fit price(final Chain chain) {
+		final double light = light(chain, null);
+		return new Fit(chain, light, light + stiffnessAndClamp(chain), 0);
+	}
+
+	private Fit descend(final Chain start, final Optional<Chain> predicted,
+		final boolean freeLength) {
+		final ReducedSystem system = new ReducedSystem(links, freeLength);
+		Chain chain = start;
+		double light = light(chain, nodes);
+		double energy = light + priors(chain, predicted);
+		double damping = 1e-3;
+		int iteration = 0;
+		while (iteration < settings.iterations()) {
+			system.reduce(nodes, x, y, chain.linkLength());
+			addPriors(system, chain, predicted);
+			final double before = energy;
+			Chain best = null;
+			for (int attempt = 0; attempt < ATTEMPTS && best == null; attempt++) {
+				final Chain trial = step(system, chain, damping, freeLength);
+				final double trialLight = trial == null ? Double.NaN : light(trial, null);
+				final double trialEnergy = trial == null
+					? Double.NaN
+					: trialLight + priors(trial, predicted);
+				if (trialEnergy < energy) {
+					best = trial;
+					light = trialLight;
+					energy = trialEnergy;
+					damping = Math.max(damping / 5, 1e-6);
+				} else
+					damping = Math.max(damping * 6, 1e-5);
+			}
+			if (best == null)
+				break;
+			chain = best;
+			iteration++;
+			if (before - energy < settings.tolerance() * Math.abs(before))
+				break;
+			light(chain, nodes);
+		}
+		return new Fit(chain, light, light + stiffnessAndClamp(chain), iteration);
+	}
+
+	private double light(final Chain chain, final NodeSystem system) {
+		chain.nodes(x, y);
+		return image.evaluate(x, y, links, system);
+	}
+
+	private double priors(final Chain chain, final Optional<Chain> predicted) {
+		return stiffnessAndClamp(chain) + predicted.map(p -> memory(chain, p)).orElse(0.0);
+	}
+
+	private double stiffnessAndClamp(final Chain chain) {
+		double bend = 0;
+		for (int i = 1; i < links; i++) {
+			final double d = chain.angle(i) - chain.angle(i - 1);
+			bend += d * d;
+		}
+		final double off = clamp.map(c -> c.distanceTo(chain.start())).orElse(0.0);
+		return settings.stiffness() / chain.linkLength() * bend
+			+ settings.clampWeight() * off * off;
+	}
+
+	private double memory(final Chain chain, final Chain predicted) {
+		final double turn = fullTurns(chain, predicted);
+		double sum = 0;
+		for (int i = 0; i < links; i++) {
+			final double d = chain.angle(i) - predicted.angle(i) - turn;
+			sum += d * d;
+		}
+		return settings.memory() * chain.linkLength() * sum;
+	}
+
+	/**
+	 * Angles are continuous along a chain, but two chains may differ by full
+	 * turns.
+	 */
+	private static double fullTurns(final Chain chain, final Chain predicted) {
+		final int middle = chain.links() / 2;
+		return Chain.nearest(predicted.angle(middle), chain.angle(middle))
+			- predicted.angle(middle);
+	}
+
+	private void addPriors(final ReducedSystem system, final Chain chain,
+		final Optional<Chain> predicted) {
+		final double[][] m = system.matrix;
+		final double[] v = system.vector;
+		final double bend = settings.stiffness() / chain.linkLength();
+		for (int i = 1; i < links; i++) {
+			final double pull = bend * (chain.angle(i) - chain.angle(i - 1));
+			m[i + 2][i + 2] += bend;
+			m[i + 1][i + 1] += bend;
+			m[i + 2][i + 1] -= bend;
+			m[i + 1][i + 2] -= bend;
+			v[i + 2] -= pull;
+			v[i + 1] += pull;
+		}
+		if (clamp.isPresent()) {
+			final double w = settings.clampWeight();
+			m[0][0] += w;
+			m[1][1] += w;
+			v[0] -= w * (chain.start().x() - clamp.get().x());
+			v[1] -= w * (chain.start().y() - clamp.get().y());
+		}
+		if (predicted.isPresent()) {
+			final double w = settings.memory() * chain.linkLength();
+			final double turn = fullTurns(chain, predicted.get());
+			for (int i = 0; i < links; i++) {
+				m[i + 2][i + 2] += w;
+				v[i + 2] -= w * (chain.angle(i) - predicted.get().angle(i) - turn);
+			}
+		}
+	}
+
+	/** A damped step, or null if the system is singular even so. */
+	private Chain step(final ReducedSystem system, final Chain chain, final double damping,
+		final boolean freeLength) {
+		final int size = system.vector.length;
+		final double[][] damped = new double[size][];
+		for (int i = 0; i < size; i++) {
+			damped[i] = system.matrix[i].clone();
+			damped[i][i] += damping * (damped[i][i] + 1e-3);
+		}
+		final double[] step;
+		try {
+			step = new CholeskyDecomposition(new Array2DRowRealMatrix(damped, false), 1e-6, 1e-14)
+				.getSolver().solve(new ArrayRealVector(system.vector, false)).toArray();
+		} catch (final NonPositiveDefiniteMatrixException e) {
+			return null;
+		}
+		double turn = 0;
+		for (int i = 2; i < links + 2; i++)
+			turn = Math.max(turn, Math.abs(step[i]));
+		final double scale = turn > LARGEST_TURN ? LARGEST_TURN / turn : 1;
+		final double largest = LARGEST_STRETCH * chain.linkLength();
+		final double stretch = freeLength
+			? Math.max(-largest, Math.min(largest, scale * step[links + 2]))
+			: 0;
+		return chain.moved(step, scale, stretch);
+	}
+}

@@ -1,0 +1,46 @@
+
+package io.github.knotresolver.fit;
+
+/**
+ * How badly the picture of a chain explains a frame. An implementation keeps
+ * scratch memory: one thread at a time.
+ */
+interface ImageTerm {
+
+	/**
+	 * The sum of the robust prices of all pixels of the frame, with the chain
+	 * drawn into it, minus the same sum without any chain: negative if the chain
+	 * explains light. Only the band around the chain is visited: O(length).
+	 *
+	 * @param x columns of the nodes in pixels
+	 * @param y rows of the nodes
+	 * @param links number of links
+	 * @param system receives the normal equations; null if they are not wanted
+	 * @return the change of the price
+	 */
+	double evaluate(double[] x, double[] y, int links, NodeSystem system);
+
+	/**
+	 * Draws the chain as the model sees it.
+	 *
+	 * @param x columns of the nodes in pixels
+	 * @param y rows of the nodes
+	 * @param links number of links
+	 * @param picture receives the model's value of every pixel of the band; other
+	 *          pixels are set to 0
+	 */
+	void draw(double[] x, double[] y, int links, double[] picture);
+
+	/**
+	 * @param frame the frame
+	 * @param model what a line looks like
+	 * @param links number of links of the chains to come
+	 * @return the term for the model's kind
+	 */
+	static ImageTerm of(final NormalizedFrame frame, final LineModel model, final int links) {
+		return switch (model.kind()) {
+			case SATURATING -> new SaturatingTerm(frame, model, links);
+			case ADDITIVE -> new AdditiveTerm(frame, model, links);
+		};
+	}
+}

@@ -1,0 +1,142 @@
+
+package io.github.knotresolver.fit;
+
+import java.util.List;
+
+import org.apache.commons.math3.optim.InitialGuess;
+import org.apache.commons.math3.optim.MaxEval;
+import org.apache.commons.math3.optim.nonlinear.scalar.GoalType;
+import org.apache.commons.math3.optim.nonlinear.scalar.ObjectiveFunction;
+import org.apache.commons.math3.optim.nonlinear.scalar.noderiv.NelderMeadSimplex;
+import org.apache.commons.math3.optim.nonlinear.scalar.noderiv.SimplexOptimizer;
+
+/**
+ * Learns from frames with known curves what a line looks like: width and
+ * profile by a simplex search, brightness and background by linear least
+ * squares inside it.
+ */
+public final class LineEstimator {
+
+	/** Pixels farther than this from the curve are not looked at. */
+	private static final double NEIGHBOURHOOD = 9;
+
+	private static final double SMALLEST_SIGMA = 0.7;
+	private static final double LARGEST_SIGMA = 6;
+	private static final double SMALLEST_POWER = 0.9;
+	private static final double LARGEST_POWER = 6;
+
+	private LineEstimator() {
+	}
+
+	/** A frame and the curve in it. */
+	public record Example(NormalizedFrame frame, Chain chain) {
+	}
+
+	/**
+	 * What was learned.
+	 *
+	 * @param model the line
+	 * @param amplitude brightness of a strand above the background, in the units
+	 *          of the examples
+	 * @param background of the neighbourhood of the curves, in the same units
+	 * @param residual mean squared residual of the neighbourhood, in units of the
+	 *          amplitude squared
+	 */
+	public record Estimate(LineModel model, double amplitude, double background, double residual) {
+	}
+
+	/**
+	 * The line of a given kind that explains the examples best.
+	 *
+	 * @param examples at least one
+	 * @param kind how strands add up
+	 * @param sigma where to begin, in pixels
+	 * @return the estimate
+	 */
+	public static Estimate estimate(final List<Example> examples, final LineModel.Kind kind,
+		final double sigma) {
+		final boolean additive = kind == LineModel.Kind.ADDITIVE;
+		final double[] guess = additive ? new double[]{sigma} : new double[]{sigma, 1.5};
+		final double[] spread = additive ? new double[]{0.3} : new double[]{0.3, 0.4};
+		final double[] best = new SimplexOptimizer(1e-4, 1e-6)
+			.optimize(new MaxEval(120), new InitialGuess(guess), GoalType.MINIMIZE,
+				new ObjectiveFunction(p -> fit(examples, model(kind, p)).residual + outside(p)),
+				new NelderMeadSimplex(spread))
+			.getPoint();
+		return fit(examples, model(kind, best));
+	}
+
+	private static LineModel model(final LineModel.Kind kind, final double[] p) {
+		return LineModel.uniform(kind, clamp(p[0], SMALLEST_SIGMA, LARGEST_SIGMA),
+			p.length > 1 ? clamp(p[1], SMALLEST_POWER, LARGEST_POWER) : 1);
+	}
+
+	private static double outside(final double[] p) {
+		double off = Math.abs(p[0] - clamp(p[0], SMALLEST_SIGMA, LARGEST_SIGMA));
+		if (p.length > 1)
+			off += Math.abs(p[1] - clamp(p[1], SMALLEST_POWER, LARGEST_POWER));
+		return off;
+	}
+
+	private static double clamp(final double value, final double low, final double high) {
+		return Math.max(low, Math.min(high, value));
+	}
+
+	/**
+	 * Brightness and background of a given line.
+	 *
+	 * @param examples at least one
+	 * @param model the line
+	 * @return the estimate
+	 */
+	public static Estimate fit(final List<Example> examples, final LineModel model) {
+		double n = 0, sumM = 0, sumI = 0, sumMM = 0, sumMI = 0, sumII = 0;
+		for (final Example example : examples) {
+			final double[] pixels = example.frame.pixels();
+			final double[] picture = draw(example, model);
+			final boolean[] near = near(example);
+			for (int i = 0; i < picture.length; i++)
+				if (near[i]) {
+					n++;
+					sumM += picture[i];
+					sumI += pixels[i];
+					sumMM += picture[i] * picture[i];
+					sumMI += picture[i] * pixels[i];
+					sumII += pixels[i] * pixels[i];
+				}
+		}
+		final double covariance = sumMI - sumM * sumI / n, variance = sumMM - sumM * sumM / n;
+		final double amplitude = covariance / variance;
+		final double rest = sumII - sumI * sumI / n - amplitude * covariance;
+		return new Estimate(model, amplitude, (sumI - amplitude * sumM) / n,
+			rest / n / (amplitude * amplitude));
+	}
+
+	private static double[] draw(final Example example, final LineModel model) {
+		final int links = example.chain.links();
+		final double[] x = new double[links + 1], y = new double[links + 1];
+		example.chain.nodes(x, y);
+		final double[] picture = new double[example.frame.pixels().length];
+		ImageTerm.of(example.frame, model, links).draw(x, y, links, picture);
+		return picture;
+	}
+
+	private static boolean[] near(final Example example) {
+		final NormalizedFrame frame = example.frame;
+		final Chain chain = example.chain;
+		final double[] x = new double[chain.links() + 1], y = new double[chain.links() + 1];
+		chain.nodes(x, y);
+		final boolean[] near = new boolean[frame.pixels().length];
+		for (int i = 0; i < x.length; i++) {
+			final int left = Math.max(0, (int) Math.ceil(x[i] - NEIGHBOURHOOD));
+			final int right = Math.min(frame.width() - 1, (int) Math.floor(x[i] + NEIGHBOURHOOD));
+			final int top = Math.max(0, (int) Math.ceil(y[i] - NEIGHBOURHOOD));
+			final int bottom = Math.min(frame.height() - 1, (int) Math.floor(y[i] + NEIGHBOURHOOD));
+			for (int row = top; row <= bottom; row++)
+				for (int column = left; column <= right; column++)
+					if (Math.hypot(column - x[i], row - y[i]) <= NEIGHBOURHOOD)
+						near[row * frame.width() + column] = true;
+		}
+		return near;
+	}
+}

@@ -1,0 +1,135 @@
+
+package io.github.knotresolver.fit;
+
+/**
+ * Brings normal equations from node coordinates to the chain's own unknowns
+ * (x0, y0, θ1..θn and, if wanted, the link length) by the chain rule dPᵢ/dθₖ =
+ * h (-sin θₖ, cos θₖ) for all nodes behind link k. As every node behind a link
+ * moves alike, suffix sums over the node matrix do it in O(n²).
+ */
+final class ReducedSystem {
+
+	private final int links;
+	private final boolean freeLength;
+	private final double[][] blocks;
+	private final double[] pull;
+
+	/** Symmetric matrix of the unknowns. */
+	final double[][] matrix;
+	/** Right-hand side. */
+	final double[] vector;
+
+	ReducedSystem(final int links, final boolean freeLength) {
+		this.links = links;
+		this.freeLength = freeLength;
+		blocks = new double[2 * (links + 1)][2 * (links + 1)];
+		pull = new double[2 * (links + 1)];
+		final int size = links + 2 + (freeLength ? 1 : 0);
+		matrix = new double[size][size];
+		vector = new double[size];
+	}
+
+	/** Sets the system to that of the image term at a chain. */
+	void reduce(final NodeSystem nodes, final double[] x, final double[] y, final double h) {
+		if (freeLength)
+			reduceLength(nodes, x, y, h);
+		sumBehind(nodes);
+		for (int c = 0; c < 2; c++) {
+			vector[c] = pull[c];
+			for (int d = 0; d < 2; d++)
+				matrix[c][d] = blocks[c][d];
+		}
+		for (int k = 0; k < links; k++) {
+			final double kx = y[k] - y[k + 1], ky = x[k + 1] - x[k];
+			final int row = 2 * (k + 1);
+			vector[k + 2] = kx * pull[row] + ky * pull[row + 1];
+			for (int c = 0; c < 2; c++)
+				set(c, k + 2, kx * blocks[c][row] + ky * blocks[c][row + 1]);
+			for (int l = k; l < links; l++) {
+				final double lx = y[l] - y[l + 1], ly = x[l + 1] - x[l];
+				final int column = 2 * (l + 1);
+				set(k + 2, l + 2, kx * (blocks[row][column] * lx + blocks[row][column + 1] * ly)
+					+ ky * (blocks[row + 1][column] * lx + blocks[row + 1][column + 1] * ly));
+			}
+		}
+	}
+
+	private void set(final int row, final int column, final double value) {
+		matrix[row][column] = value;
+		matrix[column][row] = value;
+	}
+
+	/** blocks[i][j] = sum over all nodes a >= i, b >= j; for i <= j. */
+	private void sumBehind(final NodeSystem nodes) {
+		final int size = nodes.size;
+		for (int i = size - 2; i >= 0; i -= 2) {
+			for (int c = 0; c < 2; c++) {
+				final double[] row = blocks[i + c];
+				final double[] below = i + 2 < size ? blocks[i + 2 + c] : null;
+				final int offset = (i + c) * size;
+				double sumX = 0, sumY = 0;
+				for (int j = size - 2; j > i; j -= 2) {
+					sumX += nodes.matrix[offset + j];
+					sumY += nodes.matrix[offset + j + 1];
+					row[j] = sumX + (below == null ? 0 : below[j]);
+					row[j + 1] = sumY + (below == null ? 0 : below[j + 1]);
+				}
+				row[i] = sumX + nodes.matrix[offset + i];
+				row[i + 1] = sumY + nodes.matrix[offset + i + 1];
+				pull[i + c] = nodes.vector[i + c] + (below == null ? 0 : pull[i + 2 + c]);
+			}
+			if (i + 2 < size)
+				for (int c = 0; c < 2; c++)
+					for (int d = 0; d < 2; d++)
+						blocks[i + c][i + d] += blocks[i + d][i + 2 + c];
+		}
+	}
+
+	/** The last unknown, h: every node moves by (P - P0) / h. */
+	private void reduceLength(final NodeSystem nodes, final double[] x, final double[] y,
+		final double h) {
+		final int size = nodes.size, last = links + 2;
+		final double[] d = new double[size];
+		for (int i = 0; i <= links; i++) {
+			d[2 * i] = (x[i] - x[0]) / h;
+			d[2 * i + 1] = (y[i] - y[0]) / h;
+		}
+		final double[] gd = multiply(nodes, d);
+		double hh = 0, right = 0;
+		for (int i = 0; i < size; i++) {
+			hh += d[i] * gd[i];
+			right += d[i] * nodes.vector[i];
+		}
+		matrix[last][last] = hh;
+		vector[last] = right;
+		double behindX = 0, behindY = 0;
+		for (int k = links; k >= 0; k--) {
+			if (k < links)
+				set(k + 2, last, (y[k] - y[k + 1]) * behindX + (x[k + 1] - x[k]) * behindY);
+			behindX += gd[2 * k];
+			behindY += gd[2 * k + 1];
+		}
+		set(0, last, behindX);
+		set(1, last, behindY);
+	}
+
+	/**
+	 * The symmetric node matrix, of which the upper block triangle is stored,
+	 * times d.
+	 */
+	private static double[] multiply(final NodeSystem nodes, final double[] d) {
+		final int size = nodes.size;
+		final double[] product = new double[size];
+		for (int i = 0; i < size; i++) {
+			final int firstRight = i - i % 2 + 2;
+			final int offset = i * size;
+			product[i] += nodes.matrix[offset + firstRight - 2] * d[firstRight - 2]
+				+ nodes.matrix[offset + firstRight - 1] * d[firstRight - 1];
+			for (int j = firstRight; j < size; j++) {
+				product[i] += nodes.matrix[offset + j] * d[j];
+				product[j] += nodes.matrix[offset + j] * d[i];
+			}
+		}
+		return product;
+	}
+}

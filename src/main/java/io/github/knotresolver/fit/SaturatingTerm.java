@@ -1,0 +1,125 @@
+
+package io.github.knotresolver.fit;
+
+import java.util.Arrays;
+
+/**
+ * The saturating line model: a pixel sees the nearest point of the chain only.
+ * By the envelope theorem the nearest point's own motion along its link does
+ * not count, so that a pixel touches the two nodes of one link.
+ */
+final class SaturatingTerm implements ImageTerm {
+
+	private final NormalizedFrame frame;
+	private final double reach;
+	private final double[] brightness;
+	private final Table profile;
+	private final Table slope;
+
+	private final double[] distance2;
+	private final int[] link;
+	private final double[] along;
+	private final int[] band;
+	private int bandSize;
+
+	private final int[] nodes = new int[2];
+	private final double[] jacobian = new double[4];
+
+	SaturatingTerm(final NormalizedFrame frame, final LineModel model, final int links) {
+		this.frame = frame;
+		reach = model.reach();
+		brightness = model.brightnessOfLinks(links);
+		final double k = 1 / (2 * model.sigma() * model.sigma());
+		final double p = model.power();
+		// Shifted by a thousandth, so that the price has no step where the band
+		// ends.
+		final double rim = Math.exp(-Math.pow(k * reach * reach, p));
+		profile = new Table(reach * reach, d2 -> Math.exp(-Math.pow(k * d2, p)) - rim);
+		slope = new Table(reach * reach, d2 -> -p * k * Math.pow(Math.max(k * d2, 1e-9), p - 1)
+			* Math.exp(-Math.pow(k * d2, p)));
+		final int pixels = frame.pixels().length;
+		distance2 = new double[pixels];
+		Arrays.fill(distance2, reach * reach);
+		link = new int[pixels];
+		along = new double[pixels];
+		band = new int[pixels];
+	}
+
+	@Override
+	public double evaluate(final double[] x, final double[] y, final int links,
+		final NodeSystem system) {
+		findBand(x, y, links);
+		if (system != null)
+			system.clear();
+		final double[] pixels = frame.pixels();
+		double sum = 0;
+		for (int b = 0; b < bandSize; b++) {
+			final int at = band[b];
+			final int i = link[at];
+			final double residual = pixels[at] - brightness[i] * profile.at(distance2[at]);
+			sum += Robust.price(residual) - Robust.price(pixels[at]);
+			if (system != null)
+				addPixel(at, i, x, y, residual, system);
+			distance2[at] = reach * reach;
+		}
+		return sum;
+	}
+
+	private void addPixel(final int at, final int i, final double[] x, final double[] y,
+		final double residual, final NodeSystem system) {
+		final double t = along[at];
+		final double dx = at % frame.width() - x[i] - t * (x[i + 1] - x[i]);
+		final double dy = at / frame.width() - y[i] - t * (y[i + 1] - y[i]);
+		final double k = -2 * brightness[i] * slope.at(distance2[at]);
+		nodes[0] = i + 1;
+		nodes[1] = i;
+		jacobian[0] = k * dx * t;
+		jacobian[1] = k * dy * t;
+		jacobian[2] = k * dx * (1 - t);
+		jacobian[3] = k * dy * (1 - t);
+		system.add(nodes, jacobian, 2, Robust.weight(residual), residual);
+	}
+
+	@Override
+	public void draw(final double[] x, final double[] y, final int links, final double[] picture) {
+		findBand(x, y, links);
+		Arrays.fill(picture, 0);
+		for (int b = 0; b < bandSize; b++) {
+			final int at = band[b];
+			picture[at] = brightness[link[at]] * profile.at(distance2[at]);
+			distance2[at] = reach * reach;
+		}
+	}
+
+	/**
+	 * Finds, for every pixel within reach, the nearest link and the place on it.
+	 */
+	private void findBand(final double[] x, final double[] y, final int links) {
+		bandSize = 0;
+		for (int i = 0; i < links; i++)
+			visitLink(i, x[i], y[i], x[i + 1], y[i + 1]);
+	}
+
+	private void visitLink(final int i, final double ax, final double ay, final double bx,
+		final double by) {
+		final int left = Math.max(0, (int) Math.ceil(Math.min(ax, bx) - reach));
+		final int right = Math.min(frame.width() - 1, (int) Math.floor(Math.max(ax, bx) + reach));
+		final int top = Math.max(0, (int) Math.ceil(Math.min(ay, by) - reach));
+		final int bottom = Math.min(frame.height() - 1, (int) Math.floor(Math.max(ay, by) + reach));
+		final double ux = bx - ax, uy = by - ay, l2 = ux * ux + uy * uy, reach2 = reach * reach;
+		for (int row = top; row <= bottom; row++)
+			for (int column = left; column <= right; column++) {
+				final double px = column - ax, py = row - ay;
+				final double t = Math.max(0, Math.min(1, (px * ux + py * uy) / l2));
+				final double dx = px - t * ux, dy = py - t * uy, d2 = dx * dx + dy * dy;
+				final int at = row * frame.width() + column;
+				if (d2 < distance2[at]) {
+					if (distance2[at] == reach2)
+						band[bandSize++] = at;
+					distance2[at] = d2;
+					link[at] = i;
+					along[at] = t;
+				}
+			}
+	}
+}

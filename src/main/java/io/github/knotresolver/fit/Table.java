@@ -1,0 +1,33 @@
+
+package io.github.knotresolver.fit;
+
+import java.util.function.DoubleUnaryOperator;
+
+/**
+ * A function on 0..limit by linear interpolation in a table: several times
+ * faster than the exponential, exact to about 1e-6 of its range. Beyond the
+ * limit it is 0.
+ */
+final class Table {
+
+	private static final int SIZE = 4096;
+
+	private final double[] values = new double[SIZE + 2];
+	private final double limit;
+	private final double scale;
+
+	Table(final double limit, final DoubleUnaryOperator function) {
+		this.limit = limit;
+		this.scale = SIZE / limit;
+		for (int i = 0; i < values.length; i++)
+			values[i] = function.applyAsDouble(i / scale);
+	}
+
+	double at(final double argument) {
+		if (argument >= limit)
+			return 0;
+		final double f = argument * scale;
+		final int i = (int) f;
+		return values[i] + (f - i) * (values[i + 1] - values[i]);
+	}
+}

@@ -1,0 +1,23 @@
+package io.github.knotresolver.imagej;
+
+import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.pipeline.Parameters;
+import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.progress.Progress;
+
+/** What turns a movie into a result: the pipeline, for those who show it. */
+@FunctionalInterface
+public interface Engine {
+
+	/**
+	 * @param movie the movie
+	 * @param parameters what decides the result
+	 * @param progress listens, and may cancel
+	 * @return the result
+	 * @throws IllegalArgumentException if the movie cannot be used, in one
+	 *           sentence
+	 * @throws io.github.knotresolver.progress.CancelledException if the user
+	 *           asked to stop
+	 */
+	Resolution resolve(Movie movie, Parameters parameters, Progress progress);
+}

@@ -1,0 +1,44 @@
+
+package io.github.knotresolver.imagej;
+
+import ij.ImagePlus;
+import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.io.UnitText;
+
+/**
+ * What an image says about the size of its pixels and the time between its
+ * frames. Where it says nothing, so do we: the rate at which ImageJ plays a
+ * stack (fps) is not a time between frames.
+ */
+public final class ImageCalibration {
+
+	/** Pixels may differ from squares by this share: rounding in metadata. */
+	private static final double SQUARE = 0.01;
+
+	private ImageCalibration() {
+	}
+
+	/**
+	 * @param image an image
+	 * @return its calibration; pixels and frames where the image says nothing
+	 * @throws IllegalArgumentException if its pixels are not square
+	 */
+	public static Calibration of(final ImagePlus image) {
+		final ij.measure.Calibration c = image.getCalibration();
+		final Calibration none = Calibration.NONE;
+		final String unit = UnitText.length(c.getUnit());
+		final boolean sized = !unit.equals(none.unit()) && isPositive(c.pixelWidth);
+		if (sized && Math.abs(c.pixelWidth - c.pixelHeight) > SQUARE * c.pixelWidth)
+			throw new IllegalArgumentException("Pixels must be square, but those of '"
+				+ image.getTitle() + "' are " + c.pixelWidth + " x " + c.pixelHeight + " " + unit
+				+ "; rescale the image with Image > Scale.");
+		final boolean timed = isPositive(c.frameInterval);
+		return new Calibration(sized ? c.pixelWidth : none.pixelSize(), sized ? unit : none.unit(),
+			timed ? c.frameInterval : none.frameInterval(),
+			timed ? UnitText.time(c.getTimeUnit()) : none.timeUnit());
+	}
+
+	private static boolean isPositive(final double value) {
+		return value > 0 && Double.isFinite(value);
+	}
+}

@@ -1,0 +1,98 @@
+package io.github.knotresolver.imagej;
+
+import java.awt.image.BufferedImage;
+
+import net.imglib2.RandomAccess;
+import net.imglib2.img.array.ArrayImg;
+import net.imglib2.img.array.ArrayImgs;
+import net.imglib2.img.basictypeaccess.array.DoubleArray;
+import net.imglib2.type.numeric.RealType;
+import net.imglib2.type.numeric.real.DoubleType;
+
+import ij.ImagePlus;
+import ij.ImageStack;
+import ij.process.ColorProcessor;
+import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.track.TrackedFrame;
+
+/**
+ * The movie with its contours drawn in: frame by frame as an RGB stack, and all
+ * contours over the movie's brightest intensities as one picture. Colour runs
+ * along the length; the fixed end has a ring.
+ */
+public final class OverlayRenderer {
+
+	/** Small images are enlarged, so that a line covers less of the filament. */
+	private static final int SMALL = 320, PICTURE = 1200, BRIGHTEST = 170, BACKDROP = 90;
+	private static final double LARGEST_SCALE = 6, LINE = 1.5, RING = 4, FAINT = 0.7;
+
+	private OverlayRenderer() {
+	}
+
+	/**
+	 * @param resolution a result
+	 * @return an RGB stack of all frames, calibrated; images below 320 pixels at
+	 *         twice their size
+	 */
+	public static ImagePlus stack(final Resolution resolution) {
+		final Movie movie = resolution.movie();
+		final int scale = Math.max(movie.width(), movie.height()) < SMALL ? 2 : 1;
+		final FramePainter painter = new FramePainter(Contrast.of(movie, BRIGHTEST),
+			Viewport.whole(movie, scale));
+		final ImageStack stack = new ImageStack(movie.width() * scale, movie.height() * scale);
+		for (final TrackedFrame frame : resolution.frames()) {
+			final BufferedImage picture = painter.paint(movie.frame(frame.frame() - 1));
+			frame.contour().ifPresent(c -> {
+				painter.draw(picture, c, LINE, 1);
+				painter.mark(picture, c.first(), RING);
+			});
+			stack.addSlice(frame.status().label(), new ColorProcessor(picture));
+		}
+		final ImagePlus image = new ImagePlus(movie.name() + "-overlay", stack);
+		image.setDimensions(1, 1, movie.size());
+		image.setCalibration(calibration(movie.calibration(), scale));
+		return image;
+	}
+
+	/**
+	 * @param resolution a result
+	 * @return all contours over the brightest intensity of each pixel
+	 */
+	public static BufferedImage projection(final Resolution resolution) {
+		final Movie movie = resolution.movie();
+		final Viewport part = Viewport.aroundContours(resolution);
+		final double scale = Math.min(LARGEST_SCALE,
+			(double) PICTURE / Math.max(part.width(), part.height()));
+		final FramePainter painter = new FramePainter(Contrast.of(movie, BACKDROP),
+			part.scaled(scale));
+		final BufferedImage picture = painter.paint(brightest(movie));
+		for (final TrackedFrame frame : resolution.frames())
+			frame.contour().ifPresent(c -> painter.draw(picture, c, LINE, FAINT));
+		resolution.fixedEnd().ifPresent(end -> painter.mark(picture, end, 2 * RING));
+		return picture;
+	}
+
+	private static ArrayImg<DoubleType, DoubleArray> brightest(final Movie movie) {
+		final double[] most = new double[movie.width() * movie.height()];
+		java.util.Arrays.fill(most, Double.NEGATIVE_INFINITY);
+		final RandomAccess<? extends RealType<?>> pixel = movie.frames().randomAccess();
+		for (int t = 0; t < movie.size(); t++)
+			for (int i = 0; i < most.length; i++)
+				most[i] = Math.max(most[i], pixel
+					.setPositionAndGet(i % movie.width(), i / movie.width(), t).getRealDouble());
+		return ArrayImgs.doubles(most, movie.width(), movie.height());
+	}
+
+	private static ij.measure.Calibration calibration(final Calibration c, final int scale) {
+		final ij.measure.Calibration calibration = new ij.measure.Calibration();
+		calibration.pixelWidth = calibration.pixelHeight = c.pixelSize() / scale;
+		calibration.setUnit(c.unit());
+		if (c.hasTimeUnit()) {
+			calibration.frameInterval = c.frameInterval();
+			calibration.setTimeUnit(c.timeUnit());
+		}
+		return calibration;
+	}
+}

@@ -1,0 +1,100 @@
+package io.github.knotresolver.imagej;
+
+import java.awt.image.RenderedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalDouble;
+
+import javax.imageio.ImageIO;
+
+import ij.io.FileSaver;
+import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.io.ContoursCsv;
+import io.github.knotresolver.io.FramesCsv;
+import io.github.knotresolver.io.InputOptions;
+import io.github.knotresolver.io.MeasuredFrame;
+import io.github.knotresolver.io.OriginalFiles;
+import io.github.knotresolver.io.ParametersJson;
+import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.io.SummaryCsv;
+import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.progress.Progress;
+
+/** Writes all files of a result. */
+public final class ResultWriter {
+
+	private final Resolution resolution;
+	private final InputOptions input;
+	private final List<MeasuredFrame> frames;
+
+	/**
+	 * @param resolution the result
+	 * @param input how its movie was taken from the image
+	 */
+	public ResultWriter(final Resolution resolution, final InputOptions input) {
+		this.resolution = resolution;
+		this.input = input;
+		this.frames = MeasuredFrame.of(resolution);
+	}
+
+	/** @return the frames with their geometry */
+	public List<MeasuredFrame> frames() {
+		return frames;
+	}
+
+	/**
+	 * Writes a complete folder or nothing.
+	 *
+	 * @param out the wanted folder
+	 * @param overwrite whether an earlier result may be replaced
+	 * @param plots whether pictures and plots are written
+	 * @param progress may cancel; nothing is left then
+	 * @throws IllegalArgumentException if the folder may not be written, in one
+	 *           sentence
+	 * @throws IOException if the disk says no
+	 */
+	public void write(final Path out, final boolean overwrite, final boolean plots,
+		final Progress progress) throws IOException {
+		try (ResultFolder folder = ResultFolder.prepare(out, overwrite)) {
+			progress.report("Writing tables", 0);
+			writeTables(folder.path());
+			progress.checkCancelled();
+			RoiSetWriter.write(folder.path().resolve(RoiSetWriter.FILE),
+				RoiConverter.forStack(resolution.movie().size()).rois(resolution));
+			progress.report("Drawing the overlay", 0.5);
+			writePictures(folder.path(), plots, progress);
+			progress.checkCancelled();
+			folder.commit();
+		}
+	}
+
+	private void writeTables(final Path folder) throws IOException {
+		final Calibration calibration = resolution.movie().calibration();
+		final OptionalDouble frequency = OptionalDouble.empty();
+		ContoursCsv.write(folder.resolve(ContoursCsv.FILE), frames, calibration);
+		FramesCsv.write(folder.resolve(FramesCsv.FILE), frames, calibration);
+		SummaryCsv.write(folder.resolve(SummaryCsv.FILE), resolution, frames, frequency, input);
+		ParametersJson.write(folder.resolve(ParametersJson.FILE), resolution, input);
+		OriginalFiles.writeContours(folder.resolve(OriginalFiles.CONTOURS), frames);
+		OriginalFiles.writeStatistics(folder.resolve(OriginalFiles.STATISTICS), frames, calibration,
+			frequency);
+	}
+
+	private void writePictures(final Path folder, final boolean plots, final Progress progress)
+		throws IOException {
+		final byte[] overlay = new FileSaver(OverlayRenderer.stack(resolution)).serialize();
+		Files.write(folder.resolve("overlay.tif"), overlay);
+		progress.checkCancelled();
+		writePng(folder.resolve("montage.png"), Montage.of(resolution));
+		progress.checkCancelled();
+		if (plots)
+			writePng(folder.resolve("overlay.png"), OverlayRenderer.projection(resolution));
+	}
+
+	private static void writePng(final Path file, final RenderedImage picture) throws IOException {
+		if (!ImageIO.write(picture, "png", file.toFile()))
+			throw new IOException("This Java cannot write PNG pictures.");
+	}
+}

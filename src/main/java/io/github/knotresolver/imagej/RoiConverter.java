@@ -1,0 +1,101 @@
+package io.github.knotresolver.imagej;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+import ij.ImagePlus;
+import ij.gui.PointRoi;
+import ij.gui.PolygonRoi;
+import ij.gui.Roi;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.track.TrackedFrame;
+
+/**
+ * Contours to ROIs and back. ImageJ puts the centre of the first pixel at 0.5;
+ * this is the one place where that half pixel is added or taken away.
+ */
+public final class RoiConverter {
+
+	/** From an integer that is a pixel centre to ImageJ's coordinates. */
+	static final double OFFSET = 0.5;
+
+	private static final int LEAST_DIGITS = 4;
+
+	private final int channel;
+	private final boolean hyperstack;
+	private final int digits;
+
+	private RoiConverter(final int channel, final boolean hyperstack, final int frames) {
+		this.channel = channel;
+		this.hyperstack = hyperstack;
+		this.digits = Math.max(LEAST_DIGITS, Integer.toString(frames).length());
+	}
+
+	/**
+	 * @param frames number of frames of the movie
+	 * @return a converter that sets positions of a stack: frame n is slice n
+	 */
+	public static RoiConverter forStack(final int frames) {
+		return new RoiConverter(1, false, frames);
+	}
+
+	/**
+	 * @param image where the ROIs will be shown
+	 * @param channel the 1-based channel that was resolved
+	 * @return a converter that sets the positions of this image
+	 */
+	public static RoiConverter forImage(final ImagePlus image, final int channel) {
+		return image.getNChannels() > 1
+			? new RoiConverter(channel, true, image.getNFrames())
+			: forStack(image.getStackSize());
+	}
+
+	/**
+	 * @param resolution a result
+	 * @return one sub-pixel polyline for every frame that has a contour, in
+	 *         order, with name and position
+	 */
+	public List<Roi> rois(final Resolution resolution) {
+		return resolution.frames().stream().filter(f -> f.contour().isPresent()).map(this::roi)
+			.toList();
+	}
+
+	private Roi roi(final TrackedFrame frame) {
+		final Roi roi = polyline(frame.contour().orElseThrow());
+		roi.setName(String.format(Locale.ROOT, "knot-%0" + digits + "d", frame.frame()));
+		if (hyperstack)
+			roi.setPosition(channel, 1, frame.frame());
+		else
+			roi.setPosition(frame.frame());
+		return roi;
+	}
+
+	/**
+	 * @param contour a contour in pixels
+	 * @return a sub-pixel polyline without name and position
+	 */
+	public static Roi polyline(final Polyline contour) {
+		final float[] x = new float[contour.size()], y = new float[contour.size()];
+		for (int i = 0; i < x.length; i++) {
+			x[i] = (float) (contour.x(i) + OFFSET);
+			y[i] = (float) (contour.y(i) + OFFSET);
+		}
+		return new PolygonRoi(x, y, Roi.POLYLINE);
+	}
+
+	/**
+	 * @param roi a selection; may be null
+	 * @return the first point of a point selection, in pixels; empty if it is
+	 *         another kind
+	 */
+	public static Optional<Point> point(final Roi roi) {
+		if (!(roi instanceof PointRoi))
+			return Optional.empty();
+		final var points = roi.getFloatPolygon();
+		final double shift = roi.subPixelResolution() ? OFFSET : 0;
+		return Optional.of(new Point(points.xpoints[0] - shift, points.ypoints[0] - shift));
+	}
+}

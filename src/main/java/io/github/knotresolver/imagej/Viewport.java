@@ -1,0 +1,76 @@
+package io.github.knotresolver.imagej;
+
+import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.pipeline.Resolution;
+
+/**
+ * A part of the image and how large it is shown.
+ *
+ * @param x left column in pixels
+ * @param y top row in pixels
+ * @param width width in pixels
+ * @param height height in pixels
+ * @param scale screen pixels a pixel
+ */
+record Viewport(int x, int y, int width, int height, double scale) {
+
+	/** Room around the contours, in pixels. */
+	private static final int MARGIN = 12;
+
+	/** The whole image. */
+	static Viewport whole(final Movie movie, final double scale) {
+		return new Viewport(0, 0, movie.width(), movie.height(), scale);
+	}
+
+	/**
+	 * The part of the image where the contours of all frames are; the whole image
+	 * if there are none.
+	 */
+	static Viewport aroundContours(final Resolution resolution) {
+		final Movie movie = resolution.movie();
+		int left = movie.width(), top = movie.height(), right = -1, bottom = -1;
+		for (final var frame : resolution.frames()) {
+			if (frame.contour().isEmpty())
+				continue;
+			final var contour = frame.contour().get();
+			for (int i = 0; i < contour.size(); i++) {
+				left = Math.min(left, (int) Math.floor(contour.x(i)) - MARGIN);
+				right = Math.max(right, (int) Math.ceil(contour.x(i)) + MARGIN);
+				top = Math.min(top, (int) Math.floor(contour.y(i)) - MARGIN);
+				bottom = Math.max(bottom, (int) Math.ceil(contour.y(i)) + MARGIN);
+			}
+		}
+		if (right < 0)
+			return whole(movie, 1);
+		left = Math.max(0, left);
+		top = Math.max(0, top);
+		right = Math.min(movie.width() - 1, right);
+		bottom = Math.min(movie.height() - 1, bottom);
+		return new Viewport(left, top, right - left + 1, bottom - top + 1, 1);
+	}
+
+	/** @return the same part at another scale */
+	Viewport scaled(final double newScale) {
+		return new Viewport(x, y, width, height, newScale);
+	}
+
+	/** @return width on the screen */
+	int screenWidth() {
+		return (int) Math.max(1, Math.rint(width * scale));
+	}
+
+	/** @return height on the screen */
+	int screenHeight() {
+		return (int) Math.max(1, Math.rint(height * scale));
+	}
+
+	/** @return where a column is shown */
+	double screenX(final double column) {
+		return (column + RoiConverter.OFFSET - x) * scale;
+	}
+
+	/** @return where a row is shown */
+	double screenY(final double row) {
+		return (row + RoiConverter.OFFSET - y) * scale;
+	}
+}

@@ -1,0 +1,121 @@
+
+package io.github.knotresolver.io;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
+
+import org.apache.commons.csv.CSVPrinter;
+import org.apache.commons.csv.CSVRecord;
+
+import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.measure.ContourGeometry;
+
+/**
+ * {@code contours.csv}: one row a point. {@code x_px, y_px} are pixels (origin
+ * top-left, an integer is a pixel centre); {@code x, y, arc_length} are in the
+ * row's {@code unit}, {@code tangent_angle} in radians, {@code curvature} in
+ * 1/unit. Corrections by a user have the first four columns.
+ */
+public final class ContoursCsv {
+
+	/** The file's name in a result folder. */
+	public static final String FILE = "contours.csv";
+
+	private static final String[] HEADER = {"frame", "index", "x_px", "y_px", "x", "y",
+		"arc_length", "tangent_angle", "curvature", "unit"};
+	private static final List<String> NEEDED = List.of("frame", "index", "x_px", "y_px");
+
+	private ContoursCsv() {
+	}
+
+	/**
+	 * @param file the file to write
+	 * @param frames the frames, measured
+	 * @param calibration units
+	 * @throws IOException if the disk says no
+	 */
+	public static void write(final Path file, final List<MeasuredFrame> frames,
+		final Calibration calibration) throws IOException {
+		try (CSVPrinter csv = CsvFile.create(file, HEADER)) {
+			for (final MeasuredFrame frame : frames)
+				if (frame.tracked().contour().isPresent())
+					writeContour(csv, frame, calibration);
+		}
+	}
+
+	private static void writeContour(final CSVPrinter csv, final MeasuredFrame frame,
+		final Calibration c) throws IOException {
+		final Polyline contour = frame.tracked().contour().orElseThrow();
+		final double[] arc = frame.geometry().map(ContourGeometry::arcLength).orElse(null);
+		final double[] angle = frame.geometry().map(ContourGeometry::tangentAngle).orElse(null);
+		final double[] curvature = frame.geometry().map(ContourGeometry::curvature).orElse(null);
+		for (int i = 0; i < contour.size(); i++)
+			csv.printRecord(frame.tracked().frame(), i, NumberText.pixels(contour.x(i)),
+				NumberText.pixels(contour.y(i)),
+				NumberText.significant(contour.x(i) * c.pixelSize()),
+				NumberText.significant(contour.y(i) * c.pixelSize()), at(arc, i), at(angle, i),
+				at(curvature, i), c.unit());
+	}
+
+	private static String at(final double[] values, final int i) {
+		return values == null ? "" : NumberText.significant(values[i]);
+	}
+
+	/**
+	 * Reads contours: this program's own file, or one with the columns
+	 * {@code frame,index,x_px,y_px} that a user made.
+	 *
+	 * @param file the file
+	 * @return the contours in pixels, by 1-based frame
+	 * @throws IllegalArgumentException if it is not such a file; the sentence
+	 *           names the line
+	 */
+	public static SortedMap<Integer, Polyline> read(final Path file) {
+		final List<CSVRecord> records = CsvFile.read(file);
+		final int[] columns = columns(file, records);
+		final SortedMap<Integer, SortedMap<Integer, Point>> frames = new TreeMap<>();
+		for (final CSVRecord record : records.subList(1, records.size()))
+			addPoint(file, record, columns, frames);
+		final SortedMap<Integer, Polyline> contours = new TreeMap<>();
+		for (final Map.Entry<Integer, SortedMap<Integer, Point>> frame : frames.entrySet())
+			contours.put(frame.getKey(), Polyline.of(new ArrayList<>(frame.getValue().values())));
+		return contours;
+	}
+
+	private static int[] columns(final Path file, final List<CSVRecord> records) {
+		final List<String> header = records.isEmpty()
+			? List.of()
+			: records.get(0).stream()
+				.map(h -> CsvFile.withoutByteOrderMark(h).toLowerCase(Locale.ROOT)).toList();
+		if (!header.containsAll(NEEDED))
+			throw new IllegalArgumentException(
+				file + " must have the columns frame,index,x_px,y_px, but its first line is '"
+					+ String.join(",", header) + "'.");
+		return NEEDED.stream().mapToInt(header::indexOf).toArray();
+	}
+
+	private static void addPoint(final Path file, final CSVRecord record, final int[] columns,
+		final SortedMap<Integer, SortedMap<Integer, Point>> frames) {
+		final String place = file.getFileName() + ", line " + record.getRecordNumber();
+		if (record.size() <= java.util.Arrays.stream(columns).max().orElse(0))
+			throw new IllegalArgumentException(
+				place + ", has " + record.size() + " columns, fewer than its header.");
+		final int frame = OptionText.wholeNumber(place + ": frame", record.get(columns[0]), 1);
+		final int index = OptionText.wholeNumber(place + ": index", record.get(columns[1]), 0);
+		final Point point = new Point(OptionText.number(place + ": x_px", record.get(columns[2])),
+			OptionText.number(place + ": y_px", record.get(columns[3])));
+		if (frames.computeIfAbsent(frame, f -> new TreeMap<>(Comparator.naturalOrder())).put(index,
+			point) != null)
+			throw new IllegalArgumentException(
+				place + ": frame " + frame + " has two points with index " + index + ".");
+	}
+}

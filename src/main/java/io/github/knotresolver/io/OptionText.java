@@ -1,0 +1,136 @@
+
+package io.github.knotresolver.io;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+import io.github.knotresolver.geometry.Point;
+
+/**
+ * What a person types as the value of an option, turned into a value. Every
+ * refusal is one sentence that names the key, the text and what was expected.
+ */
+public final class OptionText {
+
+	private static final Pattern NUMBER = Pattern
+		.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
+
+	private OptionText() {
+	}
+
+	/**
+	 * @param key the option's name
+	 * @param text what was typed
+	 * @return a finite number
+	 */
+	public static double number(final String key, final String text) {
+		if (!NUMBER.matcher(text.strip()).matches() || Double.isInfinite(Double.parseDouble(text)))
+			throw refusal(key, "a number", text);
+		return Double.parseDouble(text);
+	}
+
+	/**
+	 * @param key the option's name
+	 * @param text what was typed
+	 * @return a number above 0
+	 */
+	public static double positive(final String key, final String text) {
+		final double value = number(key, text);
+		if (!(value > 0))
+			throw refusal(key, "above 0", text);
+		return value;
+	}
+
+	/**
+	 * @param key the option's name
+	 * @param text what was typed
+	 * @return a whole number
+	 */
+	public static int wholeNumber(final String key, final String text) {
+		final double value = NUMBER.matcher(text.strip()).matches()
+			? Double.parseDouble(text)
+			: Double.NaN;
+		if (value != Math.rint(value) || Math.abs(value) > Integer.MAX_VALUE)
+			throw refusal(key, "a whole number", text);
+		return (int) value;
+	}
+
+	/**
+	 * @param key the option's name
+	 * @param text what was typed
+	 * @param least the smallest that is allowed
+	 * @return a whole number from there on
+	 */
+	public static int wholeNumber(final String key, final String text, final int least) {
+		final int value = wholeNumber(key, text);
+		if (value < least)
+			throw refusal(key, "a whole number from " + least + " on", text);
+		return value;
+	}
+
+	/**
+	 * @param key the option's name
+	 * @param text what was typed
+	 * @return whether it says yes
+	 */
+	public static boolean flag(final String key, final String text) {
+		return switch (text.strip().toLowerCase(Locale.ROOT)) {
+			case "true", "yes", "on", "1" -> true;
+			case "false", "no", "off", "0" -> false;
+			default -> throw refusal(key, "true or false", text);
+		};
+	}
+
+	/**
+	 * @param <E> the kind of choice
+	 * @param key the option's name
+	 * @param text what was typed
+	 * @param choices the enumeration to choose from
+	 * @return the constant of that name, in any case
+	 */
+	public static <E extends Enum<E>> E choice(final String key, final String text,
+		final Class<E> choices) {
+		for (final E constant : choices.getEnumConstants())
+			if (constant.name().equalsIgnoreCase(text.strip()))
+				return constant;
+		throw refusal(
+			key, Arrays.stream(choices.getEnumConstants())
+				.map(c -> c.name().toLowerCase(Locale.ROOT)).collect(Collectors.joining(" or ")),
+			text);
+	}
+
+	/**
+	 * @param text a number from 0 to 1, or {@code otsu}
+	 * @return the threshold; empty for Otsu's
+	 */
+	public static OptionalDouble threshold(final String text) {
+		if (text.strip().equalsIgnoreCase("otsu"))
+			return OptionalDouble.empty();
+		final boolean isNumber = NUMBER.matcher(text.strip()).matches();
+		if (!isNumber || !(Double.parseDouble(text) >= 0 && Double.parseDouble(text) <= 1))
+			throw refusal("threshold", "a number from 0 to 1, or otsu", text);
+		return OptionalDouble.of(Double.parseDouble(text));
+	}
+
+	/**
+	 * @param key the option's name
+	 * @param text column and row in pixels: {@code X,Y}
+	 * @return the point
+	 */
+	public static Point point(final String key, final String text) {
+		final String[] parts = text.strip().split("\\s*,\\s*", -1);
+		if (parts.length != 2 || !NUMBER.matcher(parts[0]).matches()
+			|| !NUMBER.matcher(parts[1]).matches())
+			throw refusal(key, "X,Y in pixels, such as 46,90.5", text);
+		return new Point(Double.parseDouble(parts[0]), Double.parseDouble(parts[1]));
+	}
+
+	private static IllegalArgumentException refusal(final String key, final String expected,
+		final String text) {
+		return new IllegalArgumentException(
+			key + " must be " + expected + ", but is '" + text.strip() + "'.");
+	}
+}

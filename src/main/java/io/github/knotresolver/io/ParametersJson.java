@@ -1,0 +1,143 @@
+
+package io.github.knotresolver.io;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+
+import com.google.gson.Gson;
+import com.google.gson.GsonBuilder;
+
+import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.pipeline.Parameters;
+import io.github.knotresolver.pipeline.Resolution;
+
+/**
+ * {@code parameters.json}: everything needed to repeat a run, with the
+ * program's version. The keys under {@code options} are those of
+ * {@link RunOptions}. The number of threads is left out: it does not change the
+ * result.
+ */
+public final class ParametersJson {
+
+	/** The file's name in a result folder. */
+	public static final String FILE = "parameters.json";
+
+	private static final Gson GSON = new GsonBuilder().setPrettyPrinting().disableHtmlEscaping()
+		.serializeNulls().create();
+
+	private ParametersJson() {
+	}
+
+	/**
+	 * @param file the file to write
+	 * @param resolution the result
+	 * @param input how the movie was taken from its image
+	 * @throws IOException if the disk says no
+	 */
+	public static void write(final Path file, final Resolution resolution, final InputOptions input)
+		throws IOException {
+		final Map<String, Object> json = new LinkedHashMap<>();
+		json.put("program", ProgramVersion.NAME);
+		json.put("version", ProgramVersion.get());
+		json.put("movie", movie(resolution.movie()));
+		json.put("options", options(resolution, input));
+		json.put("corrections", corrections(resolution.parameters().corrections()));
+		json.put("found", found(resolution));
+		json.put("notes", resolution.notes());
+		Files.writeString(file, GSON.toJson(json) + "\n", StandardCharsets.UTF_8);
+	}
+
+	/**
+	 * The options of a run on one line, as a macro has them.
+	 *
+	 * @param resolution the result
+	 * @param input how the movie was taken from its image
+	 * @return {@code key=value} of every option that has a value
+	 */
+	public static String line(final Resolution resolution, final InputOptions input) {
+		final StringBuilder line = new StringBuilder();
+		options(resolution, input).forEach((key, value) -> {
+			if (value != null)
+				line.append(line.isEmpty() ? "" : " ").append(key).append('=').append(value);
+		});
+		return line.toString();
+	}
+
+	private static Map<String, Object> movie(final Movie movie) {
+		final Map<String, Object> json = new LinkedHashMap<>();
+		json.put("name", movie.name());
+		json.put("width", movie.width());
+		json.put("height", movie.height());
+		json.put("frames", movie.size());
+		return json;
+	}
+
+	private static Map<String, Object> options(final Resolution resolution,
+		final InputOptions input) {
+		final Parameters p = resolution.parameters();
+		final Calibration c = resolution.movie().calibration();
+		final Map<String, Object> json = new LinkedHashMap<>();
+		json.put("fixed_end", p.fixedEnd().map(Point::toString).orElse(null));
+		json.put("threshold",
+			p.segmentation().threshold().isPresent()
+				? p.segmentation().threshold().getAsDouble()
+				: "otsu");
+		json.put("iterations", p.segmentation().iterations());
+		json.put("contraction_bias", p.segmentation().contractionBias());
+		json.put("smooth_factor", p.segmentation().smoothFactor());
+		json.put("log_size", p.cleaning().enhances() ? p.cleaning().logSize() : null);
+		json.put("log_sigma", p.cleaning().enhances() ? p.cleaning().logSigma() : null);
+		json.put("candidates", label(p.candidates()));
+		json.put("resolver", label(p.resolver()));
+		json.put("length",
+			p.length().isPresent() ? p.length().getAsDouble() * c.pixelSize() : null);
+		json.put("length_model", label(p.lengthModel()));
+		json.put("refine", p.refine());
+		json.put("channel", input.channel());
+		json.put("z_as_time", input.zAsTime());
+		json.put("frames", p.frames().isEmpty() ? null : FrameSelection.format(p.frames()));
+		json.put("ignore_frames",
+			p.ignoreFrames().isEmpty() ? null : FrameSelection.format(p.ignoreFrames()));
+		json.put("pixel_size", c.hasLengthUnit() ? c.pixelSize() : null);
+		json.put("unit", c.hasLengthUnit() ? c.unit() : null);
+		json.put("frame_interval", c.hasTimeUnit() ? c.frameInterval() : null);
+		return json;
+	}
+
+	private static Map<String, Object> found(final Resolution resolution) {
+		final double pixelSize = resolution.movie().calibration().pixelSize();
+		final Map<String, Object> json = new LinkedHashMap<>();
+		json.put("fixed_end", resolution.fixedEnd()
+			.map(p -> NumberText.pixels(p.x()) + "," + NumberText.pixels(p.y())).orElse(null));
+		json.put("length", finite(resolution.length() * pixelSize));
+		json.put("length_uncertainty", finite(resolution.lengthUncertainty() * pixelSize));
+		json.put("resolved_frames", resolution.resolved());
+		return json;
+	}
+
+	private static Map<String, List<String>> corrections(final Map<Integer, Polyline> contours) {
+		final Map<String, List<String>> json = new LinkedHashMap<>();
+		new TreeMap<>(contours)
+			.forEach((frame, contour) -> json.put(frame.toString(), java.util.stream.IntStream
+				.range(0, contour.size()).mapToObj(i -> contour.point(i).toString()).toList()));
+		return json;
+	}
+
+	private static Double finite(final double value) {
+		return Double.isFinite(value) ? Double.valueOf(NumberText.significant(value)) : null;
+	}
+
+	private static String label(final Enum<?> constant) {
+		return constant.name().toLowerCase(Locale.ROOT);
+	}
+}

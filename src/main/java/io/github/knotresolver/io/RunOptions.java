@@ -1,0 +1,185 @@
+
+package io.github.knotresolver.io;
+
+import java.nio.file.Path;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeMap;
+
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.image.Cleaning;
+import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.mask.Segmentation;
+import io.github.knotresolver.pipeline.Parameters;
+import io.github.knotresolver.pipeline.Parameters.CandidateMethod;
+import io.github.knotresolver.pipeline.Parameters.LengthModel;
+import io.github.knotresolver.pipeline.Parameters.ResolverMethod;
+
+/**
+ * The options of a run, read from text: one definition for the command line
+ * ({@code --contraction-bias 0.4}), macros ({@code contraction_bias=0.4}) and
+ * batch sheets (a column {@code contraction_bias}). An option that is absent or
+ * blank has its default. All values are checked here.
+ */
+public final class RunOptions {
+
+	/** Every key, in the order in which a person thinks of them. */
+	public static final Set<String> KEYS = keys("fixed_end", "threshold", "iterations",
+		"contraction_bias", "smooth_factor", "log_size", "log_sigma", "candidates", "resolver",
+		"length", "length_model", "refine", "channel", "z_as_time", "frames", "ignore_frames",
+		"corrections", "pixel_size", "frame_interval", "unit", "threads");
+
+	private final InputOptions input;
+	private final Parameters parameters;
+	private final OptionalDouble length;
+
+	private RunOptions(final InputOptions input, final Parameters parameters,
+		final OptionalDouble length) {
+		this.input = input;
+		this.parameters = parameters;
+		this.length = length;
+	}
+
+	/**
+	 * Reads options.
+	 *
+	 * @param texts what was typed, by key
+	 * @return the options
+	 * @throws IllegalArgumentException if a key is not known or a value is not
+	 *           allowed; one sentence that names the key, the value and what was
+	 *           expected
+	 */
+	public static RunOptions parse(final Map<String, String> texts) {
+		final TreeMap<String, String> given = new TreeMap<>(texts);
+		given.keySet().stream().filter(key -> !KEYS.contains(key)).findFirst().ifPresent(key -> {
+			throw new IllegalArgumentException("There is no option '" + key + "'; the options are "
+				+ String.join(", ", KEYS) + ".");
+		});
+		given.values().removeIf(text -> text == null || text.isBlank());
+		return new RunOptions(input(given), parameters(given), number(given, "length"));
+	}
+
+	/** @return how the movie is taken from its file */
+	public InputOptions input() {
+		return input;
+	}
+
+	/**
+	 * The parameters for a movie: the known length in its pixels, and what can be
+	 * checked only against the movie.
+	 *
+	 * @param movie the movie
+	 * @return the parameters
+	 * @throws IllegalArgumentException if the fixed end is outside the image, or
+	 *           a frame is not in the movie
+	 */
+	public Parameters parameters(final Movie movie) {
+		final Parameters p = parameters;
+		p.fixedEnd().ifPresent(end -> requireInside(end, movie));
+		requireInMovie("frames", p.frames(), movie);
+		requireInMovie("ignore_frames", p.ignoreFrames(), movie);
+		requireInMovie("corrections", new java.util.TreeSet<>(p.corrections().keySet()), movie);
+		final OptionalDouble pixels = length.isPresent()
+			? OptionalDouble.of(length.getAsDouble() / movie.calibration().pixelSize())
+			: OptionalDouble.empty();
+		return new Parameters(p.fixedEnd(), p.cleaning(), p.segmentation(), p.candidates(),
+			p.resolver(), pixels, p.lengthModel(), p.refine(), p.frames(), p.ignoreFrames(),
+			p.corrections(), p.threads());
+	}
+
+	private static void requireInside(final Point end, final Movie movie) {
+		if (!(end.x() >= -0.5 && end.y() >= -0.5 && end.x() <= movie.width() - 0.5
+			&& end.y() <= movie.height() - 0.5))
+			throw new IllegalArgumentException("fixed_end must lie inside the image of "
+				+ movie.width() + " x " + movie.height() + " pixels, but is " + end + ".");
+	}
+
+	private static void requireInMovie(final String key, final SortedSet<Integer> frames,
+		final Movie movie) {
+		if (!frames.isEmpty() && frames.last() > movie.size())
+			throw new IllegalArgumentException(key + " names frame " + frames.last()
+				+ ", but the movie has " + movie.size() + " frames.");
+	}
+
+	private static InputOptions input(final Map<String, String> given) {
+		final String channel = given.getOrDefault("channel", "1");
+		return new InputOptions(OptionText.wholeNumber("channel", channel, 1),
+			flag(given, "z_as_time", false), number(given, "pixel_size"),
+			number(given, "frame_interval"),
+			Optional.ofNullable(given.get("unit")).map(UnitText::length));
+	}
+
+	private static Parameters parameters(final Map<String, String> given) {
+		final Parameters d = Parameters.DEFAULT;
+		final Optional<Point> fixedEnd = Optional.ofNullable(given.get("fixed_end"))
+			.map(t -> OptionText.point("fixed_end", t));
+		return new Parameters(fixedEnd, cleaning(given), segmentation(given),
+			choice(given, "candidates", CandidateMethod.class, d.candidates()),
+			choice(given, "resolver", ResolverMethod.class, d.resolver()), OptionalDouble.empty(),
+			choice(given, "length_model", LengthModel.class, d.lengthModel()),
+			flag(given, "refine", d.refine()), frames(given, "frames"),
+			frames(given, "ignore_frames"), corrections(given), threads(given, d));
+	}
+
+	private static Cleaning cleaning(final Map<String, String> given) {
+		if (given.containsKey("log_size") != given.containsKey("log_sigma"))
+			throw new IllegalArgumentException("log_size and log_sigma go together, but only "
+				+ (given.containsKey("log_size") ? "log_size" : "log_sigma") + " was given.");
+		if (!given.containsKey("log_size"))
+			return Cleaning.DEFAULT;
+		return new Cleaning(OptionText.wholeNumber("log_size", given.get("log_size")),
+			OptionText.number("log_sigma", given.get("log_sigma")));
+	}
+
+	private static Segmentation segmentation(final Map<String, String> given) {
+		final Segmentation d = Segmentation.DEFAULT;
+		return new Segmentation(OptionText.threshold(given.getOrDefault("threshold", "otsu")),
+			OptionText.wholeNumber("iterations",
+				given.getOrDefault("iterations", "" + d.iterations())),
+			OptionText.number("contraction_bias",
+				given.getOrDefault("contraction_bias", "" + d.contractionBias())),
+			OptionText.number("smooth_factor",
+				given.getOrDefault("smooth_factor", "" + d.smoothFactor())));
+	}
+
+	private static Map<Integer, Polyline> corrections(final Map<String, String> given) {
+		return given.containsKey("corrections")
+			? ContoursCsv.read(Path.of(given.get("corrections")))
+			: Map.of();
+	}
+
+	private static int threads(final Map<String, String> given, final Parameters d) {
+		return OptionText.wholeNumber("threads", given.getOrDefault("threads", "" + d.threads()),
+			1);
+	}
+
+	private static SortedSet<Integer> frames(final Map<String, String> given, final String key) {
+		return FrameSelection.parse(key, given.getOrDefault(key, ""));
+	}
+
+	private static OptionalDouble number(final Map<String, String> given, final String key) {
+		return given.containsKey(key)
+			? OptionalDouble.of(OptionText.positive(key, given.get(key)))
+			: OptionalDouble.empty();
+	}
+
+	private static boolean flag(final Map<String, String> given, final String key,
+		final boolean byDefault) {
+		return given.containsKey(key) ? OptionText.flag(key, given.get(key)) : byDefault;
+	}
+
+	private static <E extends Enum<E>> E choice(final Map<String, String> given, final String key,
+		final Class<E> choices, final E byDefault) {
+		return given.containsKey(key) ? OptionText.choice(key, given.get(key), choices) : byDefault;
+	}
+
+	private static Set<String> keys(final String... keys) {
+		return java.util.Collections
+			.unmodifiableSet(new LinkedHashSet<>(java.util.Arrays.asList(keys)));
+	}
+}

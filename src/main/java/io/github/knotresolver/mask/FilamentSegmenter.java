@@ -1,0 +1,67 @@
+
+package io.github.knotresolver.mask;
+
+import net.imglib2.RandomAccessibleInterval;
+import net.imglib2.img.Img;
+import net.imglib2.type.logic.BitType;
+import net.imglib2.type.numeric.real.FloatType;
+
+/**
+ * Finds the masks of all objects in a clean frame: threshold, active contour,
+ * then specks and pin holes are taken out. Has no state that changes, so frames
+ * can be worked on in parallel. With 0 iterations this is the threshold-only
+ * baseline of the paper.
+ */
+public final class FilamentSegmenter {
+
+	/** Holes up to this many pixels are noise; a loop's hole is larger. */
+	public static final int PIN_HOLE = 6;
+
+	/** Objects below this many pixels are noise; a filament is larger. */
+	public static final int SPECK = 12;
+
+	private final Segmentation segmentation;
+	private final Thresholder thresholder;
+
+	/**
+	 * The published method: Otsu's threshold unless one is given.
+	 *
+	 * @param segmentation the parameters
+	 */
+	public FilamentSegmenter(final Segmentation segmentation) {
+		this(segmentation, new Otsu());
+	}
+
+	/**
+	 * @param segmentation the parameters
+	 * @param automatic what to do if they give no threshold
+	 */
+	public FilamentSegmenter(final Segmentation segmentation, final Thresholder automatic) {
+		this.segmentation = segmentation;
+		this.thresholder = segmentation.threshold().isPresent()
+			? new FixedThreshold(segmentation.threshold().getAsDouble())
+			: automatic;
+	}
+
+	/**
+	 * @param frame a clean frame
+	 * @return a mask of the same size with all objects
+	 */
+	public Img<BitType> segment(final RandomAccessibleInterval<FloatType> frame) {
+		return segmentFrom(frame, thresholder.seed(frame));
+	}
+
+	/**
+	 * Starts from a given mask instead of the threshold's.
+	 *
+	 * @param frame a clean frame
+	 * @param seed a mask of the same size, for instance that of the last frame
+	 * @return a mask of the same size with all objects
+	 */
+	public Img<BitType> segmentFrom(final RandomAccessibleInterval<FloatType> frame,
+		final RandomAccessibleInterval<BitType> seed) {
+		final Img<BitType> mask = ChanVese.evolve(frame, seed, segmentation.iterations(),
+			segmentation.contractionBias(), segmentation.smoothFactor());
+		return MaskRepair.fillPinHoles(MaskRepair.removeSpecks(mask, SPECK), PIN_HOLE);
+	}
+}

@@ -1,0 +1,34 @@
+
+package io.github.knotresolver.mask;
+
+import net.imglib2.RandomAccessibleInterval;
+import net.imglib2.img.Img;
+import net.imglib2.type.logic.BitType;
+import net.imglib2.type.numeric.real.FloatType;
+
+import io.github.knotresolver.image.Pixels;
+
+/** Pixels above a given intensity. */
+public final class FixedThreshold implements Thresholder {
+
+	private final double level;
+
+	/**
+	 * @param level the intensity, 0..1
+	 */
+	public FixedThreshold(final double level) {
+		if (!(level >= 0 && level <= 1))
+			throw new IllegalArgumentException(
+				"threshold must be from 0 to 1, but is " + level + ".");
+		this.level = level;
+	}
+
+	@Override
+	public Img<BitType> seed(final RandomAccessibleInterval<FloatType> frame) {
+		final float[] values = Pixels.floats(frame);
+		final boolean[] above = new boolean[values.length];
+		for (int i = 0; i < values.length; i++)
+			above[i] = values[i] > level;
+		return Pixels.mask(above, Pixels.width(frame));
+	}
+}

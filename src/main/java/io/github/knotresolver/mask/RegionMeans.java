@@ -1,0 +1,29 @@
+package io.github.knotresolver.mask;
+
+/**
+ * Mean intensities of the two regions of a frame.
+ *
+ * @param inside mean inside the mask
+ * @param outside mean outside the mask
+ */
+record RegionMeans(double inside, double outside) {
+
+	static RegionMeans of(final float[] values, final SparseField field) {
+		double all = 0;
+		double inside = 0;
+		int count = 0;
+		for (int at = 0; at < values.length; at++) {
+			all += values[at];
+			if (!field.contains(at))
+				continue;
+			inside += values[at];
+			count++;
+		}
+		return new RegionMeans(inside / count, (all - inside) / (values.length - count));
+	}
+
+	/** @return how much brighter it is inside; NaN if a region is empty */
+	double contrast() {
+		return inside - outside;
+	}
+}

@@ -1,0 +1,37 @@
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.List;
+
+import io.github.knotresolver.fit.Fit;
+
+/**
+ * The different fits of one frame. Two fits whose nodes are less than a pixel
+ * apart on average are one; the cheaper stays.
+ */
+final class FitPool {
+
+	private static final double SAME = 1.0;
+
+	private final List<Fit> fits = new ArrayList<>();
+
+	/**
+	 * Adds a fit.
+	 *
+	 * @return the fit that now stands for it
+	 */
+	Fit add(final Fit fit) {
+		for (int i = 0; i < fits.size(); i++)
+			if (fits.get(i).chain().distance(fit.chain()) < SAME) {
+				if (fit.energy() < fits.get(i).energy())
+					fits.set(i, fit);
+				return fits.get(i);
+			}
+		fits.add(fit);
+		return fit;
+	}
+
+	List<Fit> fits() {
+		return List.copyOf(fits);
+	}
+}

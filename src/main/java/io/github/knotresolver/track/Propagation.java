@@ -1,0 +1,123 @@
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.IntFunction;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.FilamentFitter;
+import io.github.knotresolver.fit.Fit;
+import io.github.knotresolver.progress.Progress;
+
+/**
+ * Carries the best few hypotheses through the movie in one direction of time: in
+ * each frame every hypothesis is fitted from where it was and from where it was
+ * heading, and the fits of the graph's proposals join in. What does not keep up
+ * with the best falls away.
+ */
+final class Propagation {
+
+	/** Share of the last step that is expected to go on. */
+	private static final double INERTIA = 0.7;
+
+	/** A hypothesis that is this much more expensive than the best is dropped. */
+	private static final double HOPELESS = 25;
+
+	private final int width;
+	private final MotionPrice motion;
+	private final IntFunction<FilamentFitter> fitters;
+	private final List<List<Fit>> proposals;
+	private final Progress progress;
+
+	/**
+	 * @param width number of hypotheses to keep
+	 * @param motion price of moving between frames
+	 * @param fitters gives the fitter of a frame
+	 * @param proposals fits of the graph's candidates, by frame
+	 * @param progress asked whether to stop
+	 */
+	Propagation(final int width, final MotionPrice motion,
+		final IntFunction<FilamentFitter> fitters, final List<List<Fit>> proposals,
+		final Progress progress) {
+		this.width = width;
+		this.motion = motion;
+		this.fitters = fitters;
+		this.proposals = proposals;
+		this.progress = progress;
+	}
+
+	/** A hypothesis: a fit, where it came from, and the price of the way here. */
+	private record Hypothesis(Fit fit, Optional<Chain> before, double total) {
+	}
+
+	/**
+	 * Walks through frames.
+	 *
+	 * @param order the frames' indices in the order of walking
+	 * @return the fits that were made, for each frame of {@code order}
+	 */
+	List<List<Fit>> walk(final int[] order) {
+		final List<List<Fit>> made = new ArrayList<>();
+		List<Hypothesis> beam = List.of();
+		for (final int frame : order) {
+			progress.checkCancelled();
+			final List<Hypothesis> next = new ArrayList<>();
+			final List<Fit> fits = new ArrayList<>();
+			if (!beam.isEmpty())
+				for (final Fit fit : carried(frame, beam, next))
+					fits.add(fit);
+			for (final Fit proposal : proposals.get(frame))
+				next.add(joined(proposal, beam));
+			beam = best(next);
+			made.add(fits);
+		}
+		return made;
+	}
+
+	private List<Fit> carried(final int frame, final List<Hypothesis> beam,
+		final List<Hypothesis> next) {
+		final FilamentFitter fitter = fitters.apply(frame);
+		final List<Fit> fits = new ArrayList<>();
+		for (final Hypothesis h : beam) {
+			final Chain here = h.fit.chain();
+			final Optional<Chain> heading = h.before.map(b -> here.extrapolated(b, INERTIA));
+			final List<Chain> starts = new ArrayList<>(List.of(here));
+			h.before.ifPresent(b -> starts.add(here.extrapolated(b, 1)));
+			for (final Chain start : starts) {
+				final Fit fit = fitter.fit(start, Optional.of(heading.orElse(here)));
+				fits.add(fit);
+				next.add(new Hypothesis(fit, Optional.of(here),
+					h.total + fit.energy() + motion.between(here, fit.chain())));
+			}
+		}
+		return fits;
+	}
+
+	/** A proposal joins the way that leads to it most cheaply. */
+	private Hypothesis joined(final Fit proposal, final List<Hypothesis> beam) {
+		Hypothesis best = new Hypothesis(proposal, Optional.empty(),
+			beam.isEmpty() ? proposal.energy() : Double.POSITIVE_INFINITY);
+		for (final Hypothesis h : beam) {
+			final double total = h.total + proposal.energy()
+				+ motion.between(h.fit.chain(), proposal.chain());
+			if (total < best.total)
+				best = new Hypothesis(proposal, Optional.of(h.fit.chain()), total);
+		}
+		return best;
+	}
+
+	private List<Hypothesis> best(final List<Hypothesis> all) {
+		all.sort(Comparator.comparingDouble(Hypothesis::total));
+		final List<Hypothesis> kept = new ArrayList<>();
+		final FitPool different = new FitPool();
+		for (final Hypothesis h : all) {
+			if (kept.size() == width || h.total > all.get(0).total + HOPELESS)
+				break;
+			if (different.add(h.fit) == h.fit && different.fits().size() > kept.size())
+				kept.add(h);
+		}
+		return kept;
+	}
+}
