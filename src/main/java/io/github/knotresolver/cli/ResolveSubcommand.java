@@ -15,6 +15,7 @@ import io.github.knotresolver.imagej.ResultWriter;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -50,24 +51,20 @@ final class ResolveSubcommand implements Callable<Integer> {
 	private ResolveOptions options;
 
 	private final Engine engine;
+	private final Progress progress;
 
-	ResolveSubcommand(final Engine engine) {
+	ResolveSubcommand(final Engine engine, final Progress progress) {
 		this.engine = engine;
+		this.progress = progress;
 	}
 
 	@Override
 	public Integer call() throws IOException {
-		final ConsoleProgress progress = new ConsoleProgress(spec.commandLine().getErr());
-		final Interruption interruption = Interruption.listen(progress::cancel);
-		try {
-			resolve(progress);
-			return ExitStatus.FINISHED;
-		} finally {
-			interruption.finished();
-		}
+		resolve();
+		return ExitStatus.FINISHED;
 	}
 
-	private void resolve(final ConsoleProgress progress) throws IOException {
+	private void resolve() throws IOException {
 		final RunOptions run;
 		final Movie input;
 		final io.github.knotresolver.pipeline.Parameters parameters;
