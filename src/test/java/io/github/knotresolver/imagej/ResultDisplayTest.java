@@ -28,7 +28,6 @@ import ij.plugin.frame.RoiManager;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.io.InputOptions;
-import io.github.knotresolver.io.MeasuredFrame;
 import io.github.knotresolver.pipeline.Parameters;
 import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.Progress;
@@ -102,8 +101,8 @@ class ResultDisplayTest {
 
 	@Test
 	void tablesHaveUnitsAndARowForEveryFrame() {
-		final ContourTables tables = new ContourTables("movie", MeasuredFrame.of(resolution),
-			movie.calibration());
+		final ContourTables tables = new ContourTables("movie",
+			MeasuredResolution.of(resolution, Progress.NONE));
 		final ResultsTable frames = tables.frames();
 		assertEquals(4, frames.size());
 		assertEquals("lost", frames.getStringValue("status", 1));

@@ -10,7 +10,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.TreeMap;
 
 import com.google.gson.JsonObject;
@@ -28,6 +27,7 @@ import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.track.FrameStatus;
 import io.github.knotresolver.track.TrackedFrame;
 
@@ -41,10 +41,10 @@ class ResultFilesTest {
 	@Test
 	void everyFileHasItsColumnsAndUnits() throws IOException {
 		final Resolution resolution = resolution(RunOptions.parse(Map.of()));
-		final List<MeasuredFrame> frames = MeasuredFrame.of(resolution);
-		ContoursCsv.write(home.resolve("c"), frames, CALIBRATION);
-		FramesCsv.write(home.resolve("f"), frames, CALIBRATION);
-		OriginalFiles.writeContours(home.resolve("m"), frames);
+		final MeasuredResolution result = MeasuredResolution.of(resolution, Progress.NONE);
+		ContoursCsv.write(home.resolve("c"), result);
+		FramesCsv.write(home.resolve("f"), result);
+		OriginalFiles.writeContours(home.resolve("m"), result);
 
 		final List<String> contours = Files.readAllLines(home.resolve("c"));
 		assertEquals("frame,index,x_px,y_px,x,y,arc_length,tangent_angle,curvature,unit",
@@ -67,12 +67,11 @@ class ResultFilesTest {
 	void summaryIsOneRow() throws IOException {
 		final Resolution resolution = resolution(
 			RunOptions.parse(Map.of("fixed_end", "2,5", "length", "10")));
-		SummaryCsv.write(home.resolve("s"), resolution, MeasuredFrame.of(resolution),
-			OptionalDouble.of(1 / 30.0), InputOptions.DEFAULT);
+		SummaryCsv.write(home.resolve("s"), MeasuredResolution.of(resolution, Progress.NONE),
+			InputOptions.DEFAULT);
 		final List<String> rows = Files.readAllLines(home.resolve("s"));
 		assertEquals(2, rows.size());
-		assertTrue(rows.get(1).startsWith("a movie.tif,3,2,10,10,0,10,10,µm,0.0333333,Hz,"),
-			rows.get(1));
+		assertTrue(rows.get(1).startsWith("a movie.tif,3,2,10,10,0,10,10,µm,,,,Hz,"), rows.get(1));
 		assertTrue(rows.get(1).endsWith(
 			",\"fixed_end=2.0,5.0 threshold=otsu iterations=10 contraction_bias=0.4 smooth_factor=0.2 candidates=trails resolver=movie length=10.0 length_model=constant refine=true channel=1 z_as_time=false pixel_size=0.5 unit=µm frame_interval=2.0\""),
 			rows.get(1));
@@ -103,16 +102,16 @@ class ResultFilesTest {
 
 	@Test
 	void statisticsHaveTheOriginalsFormat() throws IOException {
-		final List<MeasuredFrame> frames = MeasuredFrame.of(resolution(RunOptions.parse(Map.of())));
-		OriginalFiles.writeStatistics(home.resolve("s"), frames, CALIBRATION,
-			OptionalDouble.of(0.00238));
+		final MeasuredResolution result = MeasuredResolution
+			.of(resolution(RunOptions.parse(Map.of())), Progress.NONE);
+		OriginalFiles.writeStatistics(home.resolve("s"), result);
 		assertEquals("""
 			Statistics Summary
 			------------------
 			Scaling Factor: 0.50000
 			Time Step: 2.00
 			Distance ignored from end (microns): 0.00
-			Dominant Frequency (Hz): 0.00238
+			Dominant Frequency (Hz): NaN
 
 			Mean Length, Median Length, Std Length, Min Length, Max Length
 			10.00, 10.00, 0.00, 10.00, 10.00
@@ -126,7 +125,7 @@ class ResultFilesTest {
 	void contoursAreReadBack() throws IOException {
 		final Resolution resolution = resolution(RunOptions.parse(Map.of()));
 		final Path file = home.resolve("c.csv");
-		ContoursCsv.write(file, MeasuredFrame.of(resolution), CALIBRATION);
+		ContoursCsv.write(file, MeasuredResolution.of(resolution, Progress.NONE));
 		final Map<Integer, Polyline> read = ContoursCsv.read(file);
 		assertEquals(List.of(1, 3), List.copyOf(read.keySet()));
 		final Polyline written = resolution.frames().get(2).contour().get();
