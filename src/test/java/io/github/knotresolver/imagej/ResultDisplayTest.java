@@ -28,6 +28,7 @@ import ij.plugin.frame.RoiManager;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.io.InputOptions;
+import io.github.knotresolver.io.MeasuredResolution;
 import io.github.knotresolver.pipeline.Parameters;
 import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.Progress;
