@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.graph.RootedGraph;
 import io.github.knotresolver.graph.SkeletonGraph;
 
 /**
@@ -34,8 +35,8 @@ public final class LengthEstimator {
 	}
 
 	/**
-	 * The length as skeletons show it: without the half width that thinning takes off
-	 * each end.
+	 * The length from the fixed end to the end of the skeleton: what thinning takes off
+	 * the tip, about half the filament's width, is missing.
 	 *
 	 * @param frames the movie
 	 * @param fixedEnd the fixed end in pixels; skeletons that end nowhere near it do not
@@ -45,8 +46,8 @@ public final class LengthEstimator {
 	public static OptionalDouble estimate(final List<FrameGraph> frames, final Point fixedEnd) {
 		final List<Double> lengths = new ArrayList<>();
 		for (final FrameGraph f : frames)
-			f.graph().filter(g -> g.isUnbranched() && endsNear(g, fixedEnd))
-				.ifPresent(g -> lengths.add(g.length()));
+			f.graph().filter(g -> g.isUnbranched() && endsNear(g, fixedEnd)).ifPresent(
+				g -> lengths.add(g.length() + RootedGraph.of(g, fixedEnd).hidden(fixedEnd)));
 		return lengths.size() < FEWEST
 			? OptionalDouble.empty()
 			: OptionalDouble
