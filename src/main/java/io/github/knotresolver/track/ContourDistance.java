@@ -20,8 +20,8 @@ import io.github.knotresolver.progress.Progress;
  * much faster. Distances are taken in units of how far the filament typically moves
  * from frame to frame, so that a long frame interval does not drown the contours' own
  * prices, and they count logarithmically when they are large (5 log(1 + d/5)): one jump
- * must not force its neighbours. All prices are computed once, at construction: O(frames * contours² *
- * length²).
+ * must not force its neighbours. All prices are computed once, at construction:
+ * O(frames * contours² * length²).
  */
 public final class ContourDistance implements EdgePrice {
 
@@ -34,7 +34,7 @@ public final class ContourDistance implements EdgePrice {
 	/** Motion below this (pixels) is noise of the skeleton. */
 	private static final double NOISE = 1;
 
-	/** Beyond so many typical motions a jump is a jump, and a longer one hardly worse. */
+	/** From so many typical motions on, a longer jump is hardly worse than a shorter. */
 	private static final double JUMP = 5;
 
 	private final double weight;

@@ -35,7 +35,7 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 	Optional<ExecutorService> executor) implements Resolver {
 
 	/** Price of typical motion that has been found to work. */
-	public static final double DEFAULT_MOTION = 8;
+	public static final double DEFAULT_MOTION = 16;
 
 	/** A gap of this price (pixels) gives a confidence of 63 %. */
 	private static final double GAP_SCALE = 10;
