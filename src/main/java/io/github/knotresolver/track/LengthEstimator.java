@@ -35,8 +35,7 @@ public final class LengthEstimator {
 	}
 
 	/**
-	 * The length from the fixed end to the end of the skeleton: what thinning takes off
-	 * the tip, about half the filament's width, is missing.
+	 * The length of the skeletons and of what thinning takes off their ends.
 	 *
 	 * @param frames the movie
 	 * @param fixedEnd the fixed end in pixels; skeletons that end nowhere near it do not
@@ -46,12 +45,20 @@ public final class LengthEstimator {
 	public static OptionalDouble estimate(final List<FrameGraph> frames, final Point fixedEnd) {
 		final List<Double> lengths = new ArrayList<>();
 		for (final FrameGraph f : frames)
-			f.graph().filter(g -> g.isUnbranched() && endsNear(g, fixedEnd)).ifPresent(
-				g -> lengths.add(g.length() + RootedGraph.of(g, fixedEnd).hidden(fixedEnd)));
+			f.graph().filter(g -> g.isUnbranched() && endsNear(g, fixedEnd))
+				.ifPresent(g -> lengths.add(g.length() + hidden(g, fixedEnd)));
 		return lengths.size() < FEWEST
 			? OptionalDouble.empty()
 			: OptionalDouble
 				.of(robustMedian(lengths.stream().mapToDouble(Double::doubleValue).toArray()));
+	}
+
+	/**
+	 * What thinning takes off both ends of the filament: at the tip as much as at the fixed
+	 * end, where it can be seen.
+	 */
+	static double hidden(final SkeletonGraph graph, final Point fixedEnd) {
+		return 2 * RootedGraph.of(graph, fixedEnd).hidden(fixedEnd);
 	}
 
 	/**

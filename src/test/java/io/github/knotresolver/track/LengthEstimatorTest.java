@@ -39,8 +39,8 @@ class LengthEstimatorTest {
 		final Polyline line = Drawn.line(10, 40, 90, 40);
 		final Polyline knot = Drawn.line(10, 40, 50, 40, 60, 30, 50, 20, 40, 30, 40, 70);
 		final Polyline elsewhere = Drawn.line(40, 10, 60, 10);
-		// The skeleton begins 2 px after the fixed end.
-		assertEquals(82, LengthEstimator
+		// The skeleton begins 2 px after the fixed end, and so it ends.
+		assertEquals(84, LengthEstimator
 			.estimate(movie(line, knot, line, elsewhere, line), new Point(8, 40)).orElseThrow(),
 			0.5);
 		assertTrue(LengthEstimator.estimate(movie(line, knot, line), new Point(8, 40)).isEmpty());
