@@ -28,6 +28,15 @@ public final class KnotResolverMain implements Runnable {
 	}
 
 	/**
+	 * The program.
+	 *
+	 * @param args the arguments
+	 */
+	public static void main(final String[] args) {
+		start(Engine.PIPELINE, args);
+	}
+
+	/**
 	 * Runs the program as a process: it ends with its exit status, and cleans up
 	 * when the user presses Ctrl-C.
 	 *
@@ -58,7 +67,10 @@ public final class KnotResolverMain implements Runnable {
 		final PrintWriter err, final String... args) {
 		System.setProperty("java.awt.headless", "true");
 		final CommandLine line = new CommandLine(new KnotResolverMain())
-			.addSubcommand(new ResolveSubcommand(engine, progress));
+			.addSubcommand(new ResolveSubcommand(engine, progress))
+			.addSubcommand(new SimulateSubcommand(progress))
+			.addSubcommand(new EvaluateSubcommand(progress))
+			.setCaseInsensitiveEnumValuesAllowed(true);
 		line.setOut(out).setErr(err);
 		line.setParameterExceptionHandler((e, a) -> refuse(err, e));
 		line.setExecutionExceptionHandler((e, c, r) -> fail(err, e));
