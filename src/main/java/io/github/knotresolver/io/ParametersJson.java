@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
@@ -127,9 +128,8 @@ public final class ParametersJson {
 
 	private static Map<String, List<String>> corrections(final Map<Integer, Polyline> contours) {
 		final Map<String, List<String>> json = new LinkedHashMap<>();
-		new TreeMap<>(contours)
-			.forEach((frame, contour) -> json.put(frame.toString(), java.util.stream.IntStream
-				.range(0, contour.size()).mapToObj(i -> contour.point(i).toString()).toList()));
+		new TreeMap<>(contours).forEach((frame, contour) -> json.put(frame.toString(), IntStream
+			.range(0, contour.size()).mapToObj(i -> contour.point(i).toString()).toList()));
 		return json;
 	}
 
