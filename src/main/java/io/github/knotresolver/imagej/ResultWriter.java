@@ -7,6 +7,7 @@ import java.nio.file.Path;
 
 import javax.imageio.ImageIO;
 
+import ij.ImagePlus;
 import ij.io.FileSaver;
 import io.github.knotresolver.imagej.plot.Figures;
 import io.github.knotresolver.io.ContoursCsv;
@@ -27,15 +28,19 @@ public final class ResultWriter {
 	private final MeasuredResolution result;
 	private final Resolution resolution;
 	private final InputOptions input;
+	private final RoiConverter rois;
 
 	/**
 	 * @param result a measured result
 	 * @param input how its movie was taken from the image
+	 * @param image the image, whose frames the ROIs are for
 	 */
-	public ResultWriter(final MeasuredResolution result, final InputOptions input) {
+	public ResultWriter(final MeasuredResolution result, final InputOptions input,
+		final ImagePlus image) {
 		this.result = result;
 		this.resolution = result.resolution();
 		this.input = input;
+		this.rois = RoiConverter.forImage(image, input.channel());
 	}
 
 	/**
@@ -56,8 +61,7 @@ public final class ResultWriter {
 			progress.report("Writing tables", 0);
 			writeTables(folder.path());
 			progress.checkCancelled();
-			RoiSetWriter.write(folder.path().resolve(RoiSetWriter.FILE),
-				RoiConverter.forStack(resolution.movie().size()).rois(resolution));
+			RoiSetWriter.write(folder.path().resolve(RoiSetWriter.FILE), rois.rois(resolution));
 			progress.report("Drawing", 0);
 			writePictures(folder.path(), plots, progress);
 			progress.checkCancelled();
