@@ -1,5 +1,6 @@
 package io.github.knotresolver.cli;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 
@@ -25,6 +26,15 @@ public final class KnotResolverMain implements Runnable {
 	private CommandSpec spec;
 
 	private KnotResolverMain() {
+	}
+
+	/**
+	 * The program.
+	 *
+	 * @param args the arguments
+	 */
+	public static void main(final String[] args) {
+		start(Engine.PIPELINE, args);
 	}
 
 	/**
@@ -59,7 +69,8 @@ public final class KnotResolverMain implements Runnable {
 		System.setProperty("java.awt.headless", "true");
 		final CommandLine line = new CommandLine(new KnotResolverMain())
 			.addSubcommand(new ResolveSubcommand(engine, progress))
-			.addSubcommand(new SimulateSubcommand()).addSubcommand(new EvaluateSubcommand())
+			.addSubcommand(new SimulateSubcommand(progress))
+			.addSubcommand(new EvaluateSubcommand(progress))
 			.setCaseInsensitiveEnumValuesAllowed(true);
 		line.setOut(out).setErr(err);
 		line.setParameterExceptionHandler((e, a) -> refuse(err, e));
@@ -95,7 +106,7 @@ public final class KnotResolverMain implements Runnable {
 			return oneLine(err, "Cancelled; nothing was written.", ExitStatus.CANCELLED);
 		if (e instanceof IllegalArgumentException)
 			return oneLine(err, asOption(e.getMessage()), ExitStatus.FAILED);
-		if (e instanceof java.io.IOException)
+		if (e instanceof IOException)
 			return oneLine(err, "The result could not be written: " + e.getMessage() + ".",
 				ExitStatus.FAILED);
 		return unexpected(err, e);

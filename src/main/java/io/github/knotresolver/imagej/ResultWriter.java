@@ -7,7 +7,9 @@ import java.nio.file.Path;
 
 import javax.imageio.ImageIO;
 
+import ij.ImagePlus;
 import ij.io.FileSaver;
+import io.github.knotresolver.imagej.plot.Figures;
 import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.FramesCsv;
 import io.github.knotresolver.io.InputOptions;
@@ -16,6 +18,7 @@ import io.github.knotresolver.io.OriginalFiles;
 import io.github.knotresolver.io.ParametersJson;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.SummaryCsv;
+import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.Progress;
 
@@ -25,15 +28,19 @@ public final class ResultWriter {
 	private final MeasuredResolution result;
 	private final Resolution resolution;
 	private final InputOptions input;
+	private final RoiConverter rois;
 
 	/**
 	 * @param result a measured result
 	 * @param input how its movie was taken from the image
+	 * @param image the image, whose frames the ROIs are for
 	 */
-	public ResultWriter(final MeasuredResolution result, final InputOptions input) {
+	public ResultWriter(final MeasuredResolution result, final InputOptions input,
+		final ImagePlus image) {
 		this.result = result;
 		this.resolution = result.resolution();
 		this.input = input;
+		this.rois = RoiConverter.forImage(image, input.channel());
 	}
 
 	/**
@@ -41,7 +48,8 @@ public final class ResultWriter {
 	 *
 	 * @param out the wanted folder
 	 * @param overwrite whether an earlier result may be replaced
-	 * @param plots whether pictures and plots are written
+	 * @param plots whether plots and projections are written as well; tables, ROIs,
+	 *          overlay, montage and kymographs always are
 	 * @param progress may cancel; nothing is left then
 	 * @throws IllegalArgumentException if the folder may not be written, in one
 	 *           sentence
@@ -53,9 +61,8 @@ public final class ResultWriter {
 			progress.report("Writing tables", 0);
 			writeTables(folder.path());
 			progress.checkCancelled();
-			RoiSetWriter.write(folder.path().resolve(RoiSetWriter.FILE),
-				RoiConverter.forStack(resolution.movie().size()).rois(resolution));
-			progress.report("Drawing the overlay", 0.5);
+			RoiSetWriter.write(folder.path().resolve(RoiSetWriter.FILE), rois.rois(resolution));
+			progress.report("Drawing", 0);
 			writePictures(folder.path(), plots, progress);
 			progress.checkCancelled();
 			folder.commit();
@@ -73,13 +80,30 @@ public final class ResultWriter {
 
 	private void writePictures(final Path folder, final boolean plots, final Progress progress)
 		throws IOException {
-		final byte[] overlay = new FileSaver(OverlayRenderer.stack(resolution)).serialize();
-		Files.write(folder.resolve("overlay.tif"), overlay);
+		Together.run(() -> writeOverlay(folder, plots, progress),
+			() -> writeFigures(folder, plots, progress));
+	}
+
+	private void writeOverlay(final Path folder, final boolean plots, final Progress progress)
+		throws IOException {
+		Files.write(folder.resolve("overlay.tif"),
+			new FileSaver(OverlayRenderer.stack(resolution)).serialize());
 		progress.checkCancelled();
 		writePng(folder.resolve("montage.png"), Montage.of(resolution));
 		progress.checkCancelled();
 		if (plots)
 			writePng(folder.resolve("overlay.png"), OverlayRenderer.projection(resolution));
+	}
+
+	private void writeFigures(final Path folder, final boolean plots, final Progress progress)
+		throws IOException {
+		if (result.measurements().isEmpty())
+			return;
+		final MovieMeasurements measurements = result.measurements().get();
+		if (plots)
+			Figures.writeAll(folder, measurements, progress);
+		else
+			Figures.writeKymographs(folder, measurements);
 	}
 
 	private static void writePng(final Path file, final RenderedImage picture) throws IOException {
