@@ -38,7 +38,7 @@ public final class KnotResolverMain implements Runnable {
 		final String... args) {
 		System.setProperty("java.awt.headless", "true");
 		final CommandLine line = new CommandLine(new KnotResolverMain())
-			.addSubcommand(new ResolveSubcommand(engine));
+			.addSubcommand(new ResolveSubcommand(engine)).addSubcommand(new MeasureSubcommand());
 		line.setOut(out).setErr(err);
 		line.setParameterExceptionHandler((e, a) -> refuse(err, e));
 		line.setExecutionExceptionHandler((e, c, r) -> fail(err, e));
