@@ -14,11 +14,12 @@ import io.github.knotresolver.imagej.plot.Figures;
 import io.github.knotresolver.io.ContourInput;
 import io.github.knotresolver.io.MeasurementTables;
 import io.github.knotresolver.io.OptionText;
+import io.github.knotresolver.io.OriginalFiles;
 import io.github.knotresolver.io.OriginalStatistics;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.UnitText;
 import io.github.knotresolver.measure.MovieMeasurements;
-import io.github.knotresolver.measure.OriginalDefinitions;
+import io.github.knotresolver.measure.OriginalQuantities;
 import io.github.knotresolver.measure.Quantity;
 import io.github.knotresolver.measure.Rigidity;
 import io.github.knotresolver.measure.Smoothing;
@@ -73,19 +74,14 @@ final class MeasureSubcommand implements Callable<Integer> {
 	@Option(names = "--original-definitions", description = "Also write statsSummary.txt by the original tool's definitions.")
 	private boolean originalDefinitions;
 
-	@Override
-	public Integer call() throws IOException {
-		final ConsoleProgress progress = new ConsoleProgress(spec.commandLine().getErr());
-		final Interruption interruption = Interruption.listen(progress::cancel);
-		try {
-			measure(progress);
-			return ExitStatus.FINISHED;
-		} finally {
-			interruption.finished();
-		}
+	private final Progress progress;
+
+	MeasureSubcommand(final Progress progress) {
+		this.progress = progress;
 	}
 
-	private void measure(final Progress progress) throws IOException {
+	@Override
+	public Integer call() throws IOException {
 		final ContourInput contours;
 		final MovieMeasurements m;
 		final Path folder = out != null ? out : beside(input);
@@ -101,14 +97,15 @@ final class MeasureSubcommand implements Callable<Integer> {
 		try (ResultFolder result = ResultFolder.prepare(folder, force)) {
 			new MeasurementTables(m).write(result.path());
 			if (originalDefinitions)
-				OriginalStatistics.write(result.path().resolve("statsSummary.txt"),
-					original(contours, m.calibration()), m.calibration());
+				OriginalStatistics.write(result.path().resolve(OriginalFiles.STATISTICS),
+					original(contours, m.calibration()), m.calibration(), m.frequencyUnit());
 			if (plots)
 				Figures.writeAll(result.path(), m, progress);
 			progress.checkCancelled();
 			result.commit();
 		}
 		report(m, folder);
+		return ExitStatus.FINISHED;
 	}
 
 	private static Path beside(final Path input) {
@@ -156,7 +153,7 @@ final class MeasureSubcommand implements Callable<Integer> {
 			: Rigidity.ofFlexural(OptionText.positive("rigidity", rigidity));
 	}
 
-	private static OriginalDefinitions original(final ContourInput input, final Calibration c) {
+	private static OriginalQuantities original(final ContourInput input, final Calibration c) {
 		final List<Integer> frames = new ArrayList<>();
 		final List<Polyline> contours = new ArrayList<>();
 		for (int i = 0; i < input.contours().size(); i++) {
@@ -165,7 +162,7 @@ final class MeasureSubcommand implements Callable<Integer> {
 			frames.add(i + 1);
 			contours.add(input.contours().get(i).orElseThrow());
 		}
-		return OriginalDefinitions.of(frames, contours, c.pixelSize(), c.frameInterval());
+		return OriginalQuantities.of(frames, contours, c.pixelSize(), c.frameInterval());
 	}
 
 	private void report(final MovieMeasurements m, final Path folder) {

@@ -22,7 +22,7 @@ public final class LineEstimator {
 
 	private static final double SMALLEST_SIGMA = 0.7;
 	private static final double LARGEST_SIGMA = 6;
-	private static final double SMALLEST_POWER = 0.9;
+	private static final double SMALLEST_POWER = 1;
 	private static final double LARGEST_POWER = 6;
 
 	private LineEstimator() {

@@ -14,4 +14,16 @@ public record NormalizedFrame(int width, int height, double[] pixels) {
 			throw new IllegalArgumentException("A frame of " + width + " x " + height
 				+ " pixels has " + pixels.length + " values.");
 	}
+
+	/**
+	 * @param background the value that becomes 0
+	 * @param amplitude the height above it that becomes 1
+	 * @return the frame in new units
+	 */
+	public NormalizedFrame rescaled(final double background, final double amplitude) {
+		final double[] scaled = new double[pixels.length];
+		for (int i = 0; i < scaled.length; i++)
+			scaled[i] = (pixels[i] - background) / amplitude;
+		return new NormalizedFrame(width, height, scaled);
+	}
 }

@@ -142,14 +142,18 @@ public record ContourInput(String name, List<Optional<Polyline>> contours,
 
 	private static Calibration calibration(final Path json, final Calibration units) {
 		try (Reader reader = Files.newBufferedReader(json, StandardCharsets.UTF_8)) {
-			final JsonObject options = JsonParser.parseReader(reader).getAsJsonObject()
-				.getAsJsonObject("options");
+			final JsonObject root = JsonParser.parseReader(reader).getAsJsonObject();
+			// Results keep their options apart, measurements do not.
+			final JsonObject options = root.has("options") ? root.getAsJsonObject("options") : root;
 			final Optional<Double> size = number(options, "pixel_size"),
 				interval = number(options, "frame_interval");
+			final String time = options.has("time_unit")
+				? options.get("time_unit").getAsString()
+				: interval.isPresent() ? "s" : Calibration.NONE.timeUnit();
 			return new Calibration(size.orElse(units.pixelSize()), units.unit(),
-				interval.orElse(1.0), interval.isPresent() ? "s" : Calibration.NONE.timeUnit());
+				interval.orElse(1.0), time);
 		} catch (final IOException | JsonParseException | IllegalStateException
-			| NullPointerException e) {
+			| ClassCastException | NumberFormatException e) {
 			throw new IllegalArgumentException(
 				json + " is damaged; resolve the movie again, or give its contours.csv alone.", e);
 		}

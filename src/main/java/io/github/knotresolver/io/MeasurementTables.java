@@ -15,6 +15,7 @@ import com.google.gson.GsonBuilder;
 import org.apache.commons.csv.CSVPrinter;
 
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.measure.ContourGeometry;
 import io.github.knotresolver.measure.DominantFrequency;
 import io.github.knotresolver.measure.FrameMeasurement;
@@ -24,7 +25,8 @@ import io.github.knotresolver.measure.Quantity;
 import io.github.knotresolver.measure.TravellingWave;
 
 /**
- * Measurements as tidy tables: {@code points.csv} has one row a point,
+ * Measurements as tidy tables: {@code contours.csv} has one row a point of
+ * the smoothed contour,
  * {@code frames.csv} one row a frame, {@code crossings.csv} one row a crossing,
  * {@code oscillations.csv} one row a quantity, {@code waves.csv} one row a
  * field; {@code parameters.json} holds what they were made with. Columns that
@@ -50,8 +52,8 @@ public final class MeasurementTables {
 	 * @throws IOException if the disk says no
 	 */
 	public void write(final Path folder) throws IOException {
-		writePoints(folder.resolve("points.csv"));
-		writeFrames(folder.resolve("frames.csv"));
+		writePoints(folder.resolve(ContoursCsv.FILE));
+		writeFrames(folder.resolve(FramesCsv.FILE));
 		writeCrossings(folder.resolve("crossings.csv"));
 		writeOscillations(folder.resolve("oscillations.csv"));
 		writeWaves(folder.resolve("waves.csv"));
@@ -59,14 +61,16 @@ public final class MeasurementTables {
 	}
 
 	private void writePoints(final Path file) throws IOException {
-		try (CSVPrinter csv = CsvFile.create(file, "frame", "index", "x", "y", "arc_length",
+		try (CSVPrinter csv = CsvFile.create(file, "frame", "index", "x_px", "y_px", "x", "y", "arc_length",
 			"tangent_angle", "tangent_angle_se", "curvature", "curvature_se", "unit")) {
 			for (final FrameMeasurement f : movie.measured()) {
 				final ContourGeometry g = f.geometry().orElseThrow();
+				final Polyline smooth = g.smoothedPx();
 				final double[][] columns = {g.x(), g.y(), g.arcLength(), f.tangentAngle(),
 					g.noise().tangentAngle(), g.curvature(), g.noise().curvature()};
 				for (int i = 0; i < g.size(); i++) {
-					final List<Object> row = new ArrayList<>(List.of(f.frame(), i));
+					final List<Object> row = new ArrayList<>(List.of(f.frame(), i,
+						NumberText.pixels(smooth.x(i)), NumberText.pixels(smooth.y(i))));
 					for (final double[] column : columns)
 						row.add(NumberText.significant(column[i]));
 					row.add(movie.calibration().unit());

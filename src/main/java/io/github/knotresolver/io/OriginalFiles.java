@@ -1,18 +1,19 @@
 
 package io.github.knotresolver.io;
 
-import java.io.BufferedWriter;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
 
 import org.apache.commons.csv.CSVPrinter;
 
 import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.measure.DominantFrequency;
+import io.github.knotresolver.measure.OriginalQuantities;
+import io.github.knotresolver.measure.Quantity;
 
 /**
  * The original tool's files, so that its users' scripts go on working.
@@ -32,20 +33,19 @@ public final class OriginalFiles {
 
 	/** Arc length over which the tip's direction is taken, in pixels. */
 	private static final double TIP_PX = 5;
-	private static final String MICRON = "micron";
 
 	private OriginalFiles() {
 	}
 
 	/**
 	 * @param file the file to write
-	 * @param frames measured frames
+	 * @param result a measured result
 	 * @throws IOException if the disk says no
 	 */
-	public static void writeContours(final Path file, final List<MeasuredFrame> frames)
+	public static void writeContours(final Path file, final MeasuredResolution result)
 		throws IOException {
 		try (CSVPrinter csv = CsvFile.create(file)) {
-			for (final MeasuredFrame frame : frames) {
+			for (final MeasuredFrame frame : result.frames()) {
 				if (frame.tracked().contour().isEmpty())
 					continue;
 				final Polyline contour = frame.tracked().contour().get();
@@ -58,40 +58,27 @@ public final class OriginalFiles {
 
 	/**
 	 * @param file the file to write
-	 * @param frames measured frames
-	 * @param c units
-	 * @param dominantFrequency of the tip angle; empty if none stands out
+	 * @param result a measured result
 	 * @throws IOException if the disk says no
 	 */
-	public static void writeStatistics(final Path file, final List<MeasuredFrame> frames,
-		final Calibration c, final OptionalDouble dominantFrequency) throws IOException {
-		final List<MeasuredFrame> measured = frames.stream().filter(f -> f.geometry().isPresent())
-			.toList();
-		final LengthStatistics s = LengthStatistics
-			.ofLengths(measured.stream().mapToDouble(f -> length(f, c)).toArray());
-		final String unit = c.unit().equals("µm") ? MICRON : c.unit();
-		try (BufferedWriter out = Files.newBufferedWriter(file, StandardCharsets.UTF_8)) {
-			out.write("Statistics Summary\n------------------\n");
-			out.write("Scaling Factor: " + NumberText.fixed(c.pixelSize(), 5) + "\n");
-			out.write("Time Step: " + NumberText.fixed(c.frameInterval(), 2) + "\n");
-			out.write("Distance ignored from end (" + unit + "s): 0.00\n");
-			out.write("Dominant Frequency (" + SummaryCsv.frequencyUnit(c) + "): "
-				+ number(dominantFrequency.orElse(Double.NaN), 5) + "\n\n");
-			out.write("Mean Length, Median Length, Std Length, Min Length, Max Length\n");
-			out.write(String.join(", ", number(s.mean(), 2), number(s.median(), 2),
-				number(s.sd(), 2), number(s.min(), 2), number(s.max(), 2)) + "\n");
-			out.write("Frame, Length (" + unit
-				+ "), Tip Angle, Tip Angle (smooth), EndToEndDistance (" + unit + ")\n");
-			for (final MeasuredFrame frame : measured)
-				out.write(row(frame, c) + "\n");
-		}
+	public static void writeStatistics(final Path file, final MeasuredResolution result)
+		throws IOException {
+		final Calibration c = result.calibration();
+		final List<MeasuredFrame> measured = result.frames().stream()
+			.filter(f -> !Double.isNaN(f.length())).toList();
+		OriginalStatistics.write(file,
+			new OriginalQuantities(measured.stream().mapToInt(f -> f.tracked().frame()).toArray(),
+				values(measured, f -> length(f, c)),
+				values(measured, f -> folded(tipDirection(f.tracked().contour().orElseThrow()))),
+				values(measured, f -> folded(f.get(Quantity.TIP_ANGLE))),
+				values(measured, f -> f.get(Quantity.END_TO_END)),
+				result.dominantFrequency().map(DominantFrequency::frequency).orElse(Double.NaN)),
+			c, result.frequencyUnit());
 	}
 
-	private static String row(final MeasuredFrame frame, final Calibration c) {
-		final Polyline contour = frame.tracked().contour().orElseThrow();
-		return frame.tracked().frame() + ", " + number(length(frame, c), 3) + ", "
-			+ number(folded(tipDirection(contour)), 3) + ", " + number(folded(frame.tipAngle()), 3)
-			+ ", " + number(frame.endToEnd(), 3);
+	private static double[] values(final List<MeasuredFrame> frames,
+		final ToDoubleFunction<MeasuredFrame> value) {
+		return frames.stream().mapToDouble(value).toArray();
 	}
 
 	private static double length(final MeasuredFrame frame, final Calibration c) {
@@ -99,16 +86,12 @@ public final class OriginalFiles {
 	}
 
 	private static double tipDirection(final Polyline contour) {
-		final var base = contour.at(contour.length() - TIP_PX);
+		final Point base = contour.at(contour.length() - TIP_PX);
 		return Math.atan2(contour.last().y() - base.y(), contour.last().x() - base.x());
 	}
 
 	/** From radians, y down, to degrees, y up, in -90..90. */
 	private static double folded(final double angle) {
 		return Math.toDegrees(Math.atan(Math.tan(-angle)));
-	}
-
-	private static String number(final double value, final int decimals) {
-		return Double.isFinite(value) ? NumberText.fixed(value, decimals) : "NaN";
 	}
 }

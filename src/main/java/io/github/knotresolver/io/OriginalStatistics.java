@@ -8,11 +8,10 @@ import java.util.ArrayList;
 import java.util.List;
 
 import io.github.knotresolver.geometry.Calibration;
-import io.github.knotresolver.measure.OriginalDefinitions;
+import io.github.knotresolver.measure.OriginalQuantities;
 
 /**
- * {@code statsSummary.txt} by the original tool's own definitions and in its
- * format.
+ * {@code statsSummary.txt} in the original tool's format.
  */
 public final class OriginalStatistics {
 
@@ -23,18 +22,18 @@ public final class OriginalStatistics {
 	 * @param file the file to write
 	 * @param original the quantities
 	 * @param c units
+	 * @param frequencyUnit unit of the dominant frequency
 	 * @throws IOException if the disk says no
 	 */
-	public static void write(final Path file, final OriginalDefinitions original,
-		final Calibration c) throws IOException {
+	public static void write(final Path file, final OriginalQuantities original,
+		final Calibration c, final String frequencyUnit) throws IOException {
 		final LengthStatistics s = LengthStatistics.ofLengths(original.length());
 		final String unit = c.unit().equals("µm") ? "micron" : c.unit();
 		final List<String> lines = new ArrayList<>(List.of("Statistics Summary",
 			"------------------", "Scaling Factor: " + text(c.pixelSize(), 5),
 			"Time Step: " + text(c.frameInterval(), 2),
 			"Distance ignored from end (" + unit + "s): 0.00",
-			"Dominant Frequency (" + SummaryCsv.frequencyUnit(c) + "): "
-				+ text(original.dominantFrequency(), 5),
+			"Dominant Frequency (" + frequencyUnit + "): " + text(original.dominantFrequency(), 5),
 			"", "Mean Length, Median Length, Std Length, Min Length, Max Length",
 			String.join(", ", text(s.mean(), 2), text(s.median(), 2), text(s.sd(), 2),
 				text(s.min(), 2), text(s.max(), 2)),

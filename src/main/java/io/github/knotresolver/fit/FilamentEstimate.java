@@ -1,0 +1,25 @@
+package io.github.knotresolver.fit;
+
+import io.github.knotresolver.geometry.Point;
+
+/**
+ * What a movie says about its filament.
+ *
+ * @param model what a line looks like
+ * @param amplitude brightness of a strand, in the units of the frames that were
+ *          looked at
+ * @param length of the filament in pixels
+ * @param lengthError standard error of the length in pixels
+ * @param fixedEnd the clamped end in pixels
+ */
+public record FilamentEstimate(LineModel model, double amplitude, double length, double lengthError,
+	Point fixedEnd) {
+
+	/**
+	 * @param told the length in pixels, which is known
+	 * @return the same with that length
+	 */
+	public FilamentEstimate withLength(final double told) {
+		return new FilamentEstimate(model, amplitude, told, Double.NaN, fixedEnd);
+	}
+}

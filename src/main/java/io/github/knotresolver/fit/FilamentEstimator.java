@@ -1,0 +1,125 @@
+package io.github.knotresolver.fit;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+
+import io.github.knotresolver.fit.LineEstimator.Estimate;
+import io.github.knotresolver.fit.LineEstimator.Example;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.progress.Progress;
+
+/**
+ * Learns the line model, the filament's length and its fixed end from frames in
+ * which the contour is beyond doubt. Line and curves are estimated in turns: the
+ * line along the present curves, then the curves, both ends free, with that line.
+ */
+public final class FilamentEstimator {
+
+	private static final int ROUNDS = 3;
+
+	/** So many frames are enough to learn the line. */
+	private static final int LINE_EXAMPLES = 5;
+
+	/** A fitted frame whose length is farther off (relative) does not vote. */
+	private static final double OUTLIER = 0.06;
+
+	private static final double FIRST_SIGMA = 1.8;
+
+	/** A fit with both ends free. */
+	private static final FitSettings FREE = new FitSettings(0.9, 0, 0, 40, 1e-5);
+
+	private FilamentEstimator() {
+	}
+
+	/** A frame and the contour that its skeleton gives, fixed end first. */
+	public record Sighting(NormalizedFrame frame, Polyline contour) {
+	}
+
+	/**
+	 * @param sightings at least one; those that are clearest first
+	 * @param progress asked whether to stop
+	 * @return what they say together
+	 */
+	public static FilamentEstimate estimate(final List<Sighting> sightings,
+		final Progress progress) {
+		final List<Example> seen = new ArrayList<>();
+		for (final Sighting s : sightings)
+			seen.add(new Example(s.frame,
+				Chain.along(s.contour, links(s.contour.length()), s.contour.length())));
+		return Arrays.stream(LineModel.Kind.values()).map(kind -> learn(seen, kind, progress))
+			.min(Comparator.comparingDouble(l -> l.line.residual())).map(Learned::summary)
+			.orElseThrow();
+	}
+
+	/** A line and the curves that were fitted with it. */
+	private record Learned(List<Example> examples, Estimate line) {
+
+		FilamentEstimate summary() {
+			return FilamentEstimator.summary(examples, line);
+		}
+	}
+
+	private static Learned learn(final List<Example> seen, final LineModel.Kind kind,
+		final Progress progress) {
+		List<Example> examples = seen;
+		Estimate line = line(examples, kind, FIRST_SIGMA);
+		for (int round = 0; round < ROUNDS; round++) {
+			progress.checkCancelled();
+			examples = refit(examples, line);
+			line = line(examples, kind, line.model().sigma());
+		}
+		return new Learned(examples, line);
+	}
+
+	private static Estimate line(final List<Example> examples, final LineModel.Kind kind,
+		final double sigma) {
+		return LineEstimator.estimate(examples.subList(0, Math.min(LINE_EXAMPLES, examples.size())),
+			kind, sigma);
+	}
+
+	private static List<Example> refit(final List<Example> examples, final Estimate line) {
+		final List<Example> better = new ArrayList<>();
+		for (final Example e : examples) {
+			final NormalizedFrame frame = e.frame().rescaled(line.background(), line.amplitude());
+			final FilamentFitter fitter = new FilamentFitter(frame, line.model(), e.chain().links(),
+				Optional.empty(), FREE);
+			better.add(new Example(e.frame(), fitter.fitLength(e.chain()).chain()));
+		}
+		return better;
+	}
+
+	private static FilamentEstimate summary(final List<Example> examples, final Estimate line) {
+		final double[] lengths = examples.stream().mapToDouble(e -> e.chain().length()).sorted()
+			.toArray();
+		final double middle = median(lengths);
+		final double[] good = Arrays.stream(lengths).filter(l -> Math.abs(l / middle - 1) < OUTLIER)
+			.toArray();
+		final double length = median(good);
+		final double[] off = Arrays.stream(good).map(l -> Math.abs(l - length)).sorted().toArray();
+		// 1.4826 MAD is a standard deviation, 1.2533 that of a median over that of a mean.
+		final double error = 1.4826 * median(off) * 1.2533 / Math.sqrt(good.length);
+		final double x = median(
+			examples.stream().mapToDouble(e -> e.chain().start().x()).sorted().toArray());
+		final double y = median(
+			examples.stream().mapToDouble(e -> e.chain().start().y()).sorted().toArray());
+		return new FilamentEstimate(line.model(), line.amplitude(), length, error, new Point(x, y));
+	}
+
+	/** @param sorted rising values, at least one */
+	private static double median(final double[] sorted) {
+		final int n = sorted.length;
+		return n % 2 == 1 ? sorted[n / 2] : (sorted[n / 2 - 1] + sorted[n / 2]) / 2;
+	}
+
+	/**
+	 * @param length of a filament in pixels
+	 * @return how many links it is given: about 3 px each, but never fewer than 24
+	 */
+	public static int links(final double length) {
+		return Math.max(24, (int) Math.rint(length / 3));
+	}
+}

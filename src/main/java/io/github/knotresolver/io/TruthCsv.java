@@ -1,0 +1,34 @@
+
+package io.github.knotresolver.io;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+
+import org.apache.commons.csv.CSVPrinter;
+
+import io.github.knotresolver.geometry.Polyline;
+
+/**
+ * Contours in pixels and nothing else: {@code frame,index,x_px,y_px}, the
+ * columns that {@link ContoursCsv#read} needs.
+ */
+public final class TruthCsv {
+
+	private TruthCsv() {
+	}
+
+	/**
+	 * @param file the file to write
+	 * @param contours one contour a frame, the first frame first
+	 * @throws IOException if the disk says no
+	 */
+	public static void write(final Path file, final List<Polyline> contours) throws IOException {
+		try (CSVPrinter csv = CsvFile.create(file, "frame", "index", "x_px", "y_px")) {
+			for (int t = 0; t < contours.size(); t++)
+				for (int i = 0; i < contours.get(t).size(); i++)
+					csv.printRecord(t + 1, i, NumberText.pixels(contours.get(t).x(i)),
+						NumberText.pixels(contours.get(t).y(i)));
+		}
+	}
+}

@@ -1,0 +1,55 @@
+
+package io.github.knotresolver.simulate;
+
+import io.github.knotresolver.geometry.Polyline;
+
+/**
+ * What a camera behind a microscope sees: the line integral of a Gaussian point
+ * spread function, so that strands that cross are brighter; background and
+ * bleaching, other filaments and specks; shot noise and read noise. Grey values
+ * are electrons, scaled so that a crossing of two strands with its noise fits
+ * into 8 bit; 16 bit keeps one grey value per electron. Nothing is rounded to
+ * whole pixels.
+ */
+public final class OpticalRenderer implements FrameRenderer {
+
+	private final Optics optics;
+	private final Bystanders bystanders;
+	private final long seed;
+
+	/**
+	 * @param optics microscope, camera and what else is in view
+	 * @param seed start of the random numbers
+	 */
+	public OpticalRenderer(final Optics optics, final long seed) {
+		this.optics = optics;
+		this.seed = seed;
+		bystanders = new Bystanders(optics, seed);
+	}
+
+	@Override
+	public double[] render(final Polyline curve, final int frame, final Canvas canvas,
+		final BitDepth depth) {
+		final LightField light = new LightField(canvas.width(), canvas.height(), optics.psfSigma());
+		light.addLine(curve, 1);
+		bystanders.addTo(light, frame, canvas);
+		final double fading = StrictMath
+			.exp(-frame * canvas.frameInterval() / optics.bleachingTime());
+		final double[] image = light.values();
+		final Noise noise = Noise.ofFrame(seed, frame);
+		for (int i = 0; i < image.length; i++) {
+			final double photons = fading * optics.signal() * image[i] + optics.background();
+			image[i] = gain(depth)
+				* (noise.poisson(photons) + optics.readNoise() * noise.gaussian());
+		}
+		return image;
+	}
+
+	/** Grey values an electron: two strands and four sigma of noise fit. */
+	private double gain(final BitDepth depth) {
+		final double brightest = 2 * optics.signal() + optics.background();
+		final double noise = Math.sqrt(brightest + optics.readNoise() * optics.readNoise());
+		final double fitting = depth.maximum() / (brightest + 4 * noise);
+		return depth == BitDepth.EIGHT ? fitting : Math.min(1, fitting);
+	}
+}
