@@ -1,5 +1,6 @@
 package io.github.knotresolver.cli;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 
@@ -106,7 +107,7 @@ public final class KnotResolverMain implements Runnable {
 			return oneLine(err, "Cancelled; nothing was written.", ExitStatus.CANCELLED);
 		if (e instanceof IllegalArgumentException)
 			return oneLine(err, asOption(e.getMessage()), ExitStatus.FAILED);
-		if (e instanceof java.io.IOException)
+		if (e instanceof IOException)
 			return oneLine(err, "The result could not be written: " + e.getMessage() + ".",
 				ExitStatus.FAILED);
 		return unexpected(err, e);

@@ -27,7 +27,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** {@code knotresolver resolve}: from a movie to a result folder. */
-@Command(name = "resolve", mixinStandardHelpOptions = true, sortOptions = false, usageHelpAutoWidth = true, description = "Finds one ordered contour per frame of a filament that crosses itself.%n")
+@Command(name = "resolve", mixinStandardHelpOptions = true, sortOptions = false, abbreviateSynopsis = true, usageHelpAutoWidth = true, description = "Finds one ordered contour per frame of a filament that crosses itself.%n")
 final class ResolveSubcommand implements Callable<Integer> {
 
 	@Spec

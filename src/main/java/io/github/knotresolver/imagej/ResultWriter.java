@@ -58,7 +58,7 @@ public final class ResultWriter {
 			progress.checkCancelled();
 			RoiSetWriter.write(folder.path().resolve(RoiSetWriter.FILE),
 				RoiConverter.forStack(resolution.movie().size()).rois(resolution));
-			progress.report("Drawing the overlay", 0.5);
+			progress.report("Drawing", 0);
 			writePictures(folder.path(), plots, progress);
 			progress.checkCancelled();
 			folder.commit();
@@ -76,13 +76,23 @@ public final class ResultWriter {
 
 	private void writePictures(final Path folder, final boolean plots, final Progress progress)
 		throws IOException {
-		final byte[] overlay = new FileSaver(OverlayRenderer.stack(resolution)).serialize();
-		Files.write(folder.resolve("overlay.tif"), overlay);
+		Together.run(() -> writeOverlay(folder, plots, progress),
+			() -> writeFigures(folder, plots, progress));
+	}
+
+	private void writeOverlay(final Path folder, final boolean plots, final Progress progress)
+		throws IOException {
+		Files.write(folder.resolve("overlay.tif"),
+			new FileSaver(OverlayRenderer.stack(resolution)).serialize());
 		progress.checkCancelled();
 		writePng(folder.resolve("montage.png"), Montage.of(resolution));
 		progress.checkCancelled();
 		if (plots)
 			writePng(folder.resolve("overlay.png"), OverlayRenderer.projection(resolution));
+	}
+
+	private void writeFigures(final Path folder, final boolean plots, final Progress progress)
+		throws IOException {
 		if (result.measurements().isEmpty())
 			return;
 		final MovieMeasurements measurements = result.measurements().get();
