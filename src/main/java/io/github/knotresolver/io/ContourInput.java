@@ -152,8 +152,8 @@ public record ContourInput(String name, List<Optional<Polyline>> contours,
 				: interval.isPresent() ? "s" : Calibration.NONE.timeUnit();
 			return new Calibration(size.orElse(units.pixelSize()), units.unit(),
 				interval.orElse(1.0), time);
-		} catch (final IOException | JsonParseException | IllegalStateException
-			| ClassCastException | NumberFormatException e) {
+		} catch (final IOException | JsonParseException | IllegalStateException | ClassCastException
+			| NumberFormatException e) {
 			throw new IllegalArgumentException(
 				json + " is damaged; resolve the movie again, or give its contours.csv alone.", e);
 		}

@@ -61,8 +61,9 @@ public final class MeasurementTables {
 	}
 
 	private void writePoints(final Path file) throws IOException {
-		try (CSVPrinter csv = CsvFile.create(file, "frame", "index", "x_px", "y_px", "x", "y", "arc_length",
-			"tangent_angle", "tangent_angle_se", "curvature", "curvature_se", "unit")) {
+		try (CSVPrinter csv = CsvFile.create(file, "frame", "index", "x_px", "y_px", "x", "y",
+			"arc_length", "tangent_angle", "tangent_angle_se", "curvature", "curvature_se",
+			"unit")) {
 			for (final FrameMeasurement f : movie.measured()) {
 				final ContourGeometry g = f.geometry().orElseThrow();
 				final Polyline smooth = g.smoothedPx();
