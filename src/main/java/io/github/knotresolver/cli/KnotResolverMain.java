@@ -69,6 +69,7 @@ public final class KnotResolverMain implements Runnable {
 		System.setProperty("java.awt.headless", "true");
 		final CommandLine line = new CommandLine(new KnotResolverMain())
 			.addSubcommand(new ResolveSubcommand(engine, progress))
+			.addSubcommand(new MeasureSubcommand(progress))
 			.addSubcommand(new SimulateSubcommand(progress))
 			.addSubcommand(new EvaluateSubcommand(progress))
 			.setCaseInsensitiveEnumValuesAllowed(true);
