@@ -20,17 +20,7 @@ final class Likeness {
 	}
 
 	static Polyline sample(final Candidate candidate) {
-		final Polyline path = candidate.path();
-		final int n = (int) (path.length() / STEP) + 1;
-		final double[] x = new double[n], y = new double[n];
-		int k = 1;
-		for (int i = 0; i < n; i++) {
-			while (k < path.size() - 1 && path.arc(k) < i * STEP)
-				k++;
-			x[i] = path.x(k);
-			y[i] = path.y(k);
-		}
-		return Polyline.of(x, y);
+		return candidate.path().every(STEP);
 	}
 
 	static boolean alike(final Polyline a, final Polyline b) {

@@ -1,11 +1,13 @@
 package io.github.knotresolver.cli;
 
 import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
 
 import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.io.ProgramVersion;
 import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.progress.CancelledException;
+import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
@@ -26,20 +28,39 @@ public final class KnotResolverMain implements Runnable {
 	}
 
 	/**
+	 * Runs the program as a process: it ends with its exit status, and cleans up
+	 * when the user presses Ctrl-C.
+	 *
+	 * @param engine what resolves a movie
+	 * @param args the arguments
+	 */
+	static void start(final Engine engine, final String... args) {
+		final PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
+		final ConsoleProgress progress = new ConsoleProgress(err);
+		final Interruption interruption = Interruption.listen(progress::cancel);
+		final int status = run(engine, progress,
+			new PrintWriter(System.out, true, StandardCharsets.UTF_8), err, args);
+		interruption.finished();
+		System.exit(status);
+	}
+
+	/**
 	 * Runs the program.
 	 *
 	 * @param engine what resolves a movie
+	 * @param progress listens to it, and may cancel it
 	 * @param out standard output
 	 * @param err standard error
 	 * @param args the arguments
 	 * @return the exit status
 	 */
-	static int run(final Engine engine, final PrintWriter out, final PrintWriter err,
-		final String... args) {
+	static int run(final Engine engine, final Progress progress, final PrintWriter out,
+		final PrintWriter err, final String... args) {
 		System.setProperty("java.awt.headless", "true");
 		final CommandLine line = new CommandLine(new KnotResolverMain())
-			.addSubcommand(new ResolveSubcommand(engine)).addSubcommand(new SimulateSubcommand())
-			.addSubcommand(new EvaluateSubcommand()).setCaseInsensitiveEnumValuesAllowed(true);
+			.addSubcommand(new ResolveSubcommand(engine, progress))
+			.addSubcommand(new SimulateSubcommand()).addSubcommand(new EvaluateSubcommand())
+			.setCaseInsensitiveEnumValuesAllowed(true);
 		line.setOut(out).setErr(err);
 		line.setParameterExceptionHandler((e, a) -> refuse(err, e));
 		line.setExecutionExceptionHandler((e, c, r) -> fail(err, e));

@@ -12,9 +12,10 @@ import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.imagej.MovieLoader;
 import io.github.knotresolver.imagej.ResultWriter;
+import io.github.knotresolver.io.MeasuredResolution;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.RunOptions;
-import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -50,24 +51,20 @@ final class ResolveSubcommand implements Callable<Integer> {
 	private ResolveOptions options;
 
 	private final Engine engine;
+	private final Progress progress;
 
-	ResolveSubcommand(final Engine engine) {
+	ResolveSubcommand(final Engine engine, final Progress progress) {
 		this.engine = engine;
+		this.progress = progress;
 	}
 
 	@Override
 	public Integer call() throws IOException {
-		final ConsoleProgress progress = new ConsoleProgress(spec.commandLine().getErr());
-		final Interruption interruption = Interruption.listen(progress::cancel);
-		try {
-			resolve(progress);
-			return ExitStatus.FINISHED;
-		} finally {
-			interruption.finished();
-		}
+		resolve();
+		return ExitStatus.FINISHED;
 	}
 
-	private void resolve(final ConsoleProgress progress) throws IOException {
+	private void resolve() throws IOException {
 		final RunOptions run;
 		final Movie input;
 		final io.github.knotresolver.pipeline.Parameters parameters;
@@ -79,11 +76,11 @@ final class ResolveSubcommand implements Callable<Integer> {
 		} catch (final IllegalArgumentException e) {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
 		}
-		final Resolution resolution = engine.resolve(input, parameters, progress);
-		final ResultWriter writer = new ResultWriter(resolution, run.input());
-		writer.write(out, force, plots, progress);
+		final MeasuredResolution result = MeasuredResolution
+			.of(engine.resolve(input, parameters, progress), progress);
+		new ResultWriter(result, run.input()).write(out, force, plots, progress);
 		final PrintWriter stdout = spec.commandLine().getOut();
-		RunReport.lines(resolution, writer.frames(), out).forEach(stdout::println);
+		RunReport.lines(result, out).forEach(stdout::println);
 	}
 
 	private Movie load(final RunOptions run) {

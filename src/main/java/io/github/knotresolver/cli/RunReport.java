@@ -8,7 +8,7 @@ import java.util.TreeSet;
 
 import io.github.knotresolver.io.FrameSelection;
 import io.github.knotresolver.io.LengthStatistics;
-import io.github.knotresolver.io.MeasuredFrame;
+import io.github.knotresolver.io.MeasuredResolution;
 import io.github.knotresolver.io.NumberText;
 import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.track.FrameStatus;
@@ -20,15 +20,14 @@ final class RunReport {
 	}
 
 	/**
-	 * @param resolution the result
-	 * @param frames its frames, measured
+	 * @param result a measured result
 	 * @param out where it was written
 	 * @return a few lines
 	 */
-	static List<String> lines(final Resolution resolution, final List<MeasuredFrame> frames,
-		final Path out) {
+	static List<String> lines(final MeasuredResolution result, final Path out) {
+		final Resolution resolution = result.resolution();
 		final List<String> lines = new ArrayList<>();
-		final LengthStatistics s = LengthStatistics.of(frames);
+		final LengthStatistics s = LengthStatistics.of(result.frames());
 		final String unit = " " + resolution.movie().calibration().unit();
 		lines.add(resolution.movie().name() + ": " + resolution.resolved() + " of "
 			+ resolution.movie().size() + " frames resolved"

@@ -33,12 +33,19 @@ public final class EqualArcDistance {
 		return sum / (steps + 1);
 	}
 
-	/** The same for curves that are sampled at one pixel already. */
-	static double mean(final double[] ax, final double[] ay, final double[] bx, final double[] by) {
-		final int n = Math.min(ax.length, bx.length);
+	/**
+	 * The same for two curves that are sampled at the same spacing already
+	 * ({@link Polyline#every}).
+	 *
+	 * @param a a curve
+	 * @param b another, of the same spacing
+	 * @return the mean distance of points of equal index, in pixels
+	 */
+	public static double meanOfSampled(final Polyline a, final Polyline b) {
+		final int n = Math.min(a.size(), b.size());
 		double sum = 0;
 		for (int i = 0; i < n; i++)
-			sum += Math.hypot(ax[i] - bx[i], ay[i] - by[i]);
+			sum += Math.hypot(a.x(i) - b.x(i), a.y(i) - b.y(i));
 		return sum / n;
 	}
 }

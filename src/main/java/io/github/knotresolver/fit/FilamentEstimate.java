@@ -14,4 +14,12 @@ import io.github.knotresolver.geometry.Point;
  */
 public record FilamentEstimate(LineModel model, double amplitude, double length, double lengthError,
 	Point fixedEnd) {
+
+	/**
+	 * @param told the length in pixels, which is known
+	 * @return the same with that length
+	 */
+	public FilamentEstimate withLength(final double told) {
+		return new FilamentEstimate(model, amplitude, told, Double.NaN, fixedEnd);
+	}
 }

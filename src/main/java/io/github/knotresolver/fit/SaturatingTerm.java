@@ -10,6 +10,16 @@ import java.util.Arrays;
  */
 final class SaturatingTerm implements ImageTerm {
 
+	/**
+	 * How much faster than sideways the light falls off beyond an end: the end is
+	 * half an ellipse. 1 would be a round end; the dilation by a diamond of the
+	 * published rendering has π/2, an end blurred by a point spread function more.
+	 * Too round an end makes every length too short by the same amount.
+	 */
+	static final double END_SHARPNESS = Math.PI / 2;
+
+	private static final double END_STRETCH = END_SHARPNESS * END_SHARPNESS - 1;
+
 	private final NormalizedFrame frame;
 	private final double reach;
 	private final double[] brightness;
@@ -73,11 +83,35 @@ final class SaturatingTerm implements ImageTerm {
 		final double k = -2 * brightness[i] * slope.at(distance2[at]);
 		nodes[0] = i + 1;
 		nodes[1] = i;
+		// The nodes fall, and the system has two unknowns a node.
+		final boolean end = t == 0 && i == 0 || t == 1 && 2 * i + 4 == system.size;
+		if (end)
+			slopeOfEnd(dx, dy, t == 0, x[i + 1] - x[i], y[i + 1] - y[i], k);
+		else
+			slopeOfLink(dx, dy, t, k);
+		system.add(nodes, jacobian, 2, Robust.weight(residual), residual);
+	}
+
+	/** Slopes by the nodes of the link on which the nearest point lies. */
+	private void slopeOfLink(final double dx, final double dy, final double t, final double k) {
 		jacobian[0] = k * dx * t;
 		jacobian[1] = k * dy * t;
 		jacobian[2] = k * dx * (1 - t);
 		jacobian[3] = k * dy * (1 - t);
-		system.add(nodes, jacobian, 2, Robust.weight(residual), residual);
+	}
+
+	/** Slopes beyond an end: the end node moves the cap, both nodes turn it. */
+	private void slopeOfEnd(final double dx, final double dy, final boolean first, final double lx,
+		final double ly, final double k) {
+		final double l2 = lx * lx + ly * ly;
+		final double along = (dx * lx + dy * ly) / l2, across = (dy * lx - dx * ly) / l2;
+		final double turn = k * END_STRETCH * along * across;
+		final double ownX = k * (dx + END_STRETCH * along * lx);
+		final double ownY = k * (dy + END_STRETCH * along * ly);
+		jacobian[0] = (first ? 0 : ownX) + turn * ly;
+		jacobian[1] = (first ? 0 : ownY) - turn * lx;
+		jacobian[2] = (first ? ownX : 0) - turn * ly;
+		jacobian[3] = (first ? ownY : 0) + turn * lx;
 	}
 
 	@Override
@@ -97,21 +131,25 @@ final class SaturatingTerm implements ImageTerm {
 	private void findBand(final double[] x, final double[] y, final int links) {
 		bandSize = 0;
 		for (int i = 0; i < links; i++)
-			visitLink(i, x[i], y[i], x[i + 1], y[i + 1]);
+			visitLink(i, links, x[i], y[i], x[i + 1], y[i + 1]);
 	}
 
-	private void visitLink(final int i, final double ax, final double ay, final double bx,
-		final double by) {
+	private void visitLink(final int i, final int links, final double ax, final double ay,
+		final double bx, final double by) {
 		final int left = Math.max(0, (int) Math.ceil(Math.min(ax, bx) - reach));
 		final int right = Math.min(frame.width() - 1, (int) Math.floor(Math.max(ax, bx) + reach));
 		final int top = Math.max(0, (int) Math.ceil(Math.min(ay, by) - reach));
 		final int bottom = Math.min(frame.height() - 1, (int) Math.floor(Math.max(ay, by) + reach));
+		final boolean isFirst = i == 0, isLast = i == links - 1;
 		final double ux = bx - ax, uy = by - ay, l2 = ux * ux + uy * uy, reach2 = reach * reach;
 		for (int row = top; row <= bottom; row++)
 			for (int column = left; column <= right; column++) {
 				final double px = column - ax, py = row - ay;
-				final double t = Math.max(0, Math.min(1, (px * ux + py * uy) / l2));
-				final double dx = px - t * ux, dy = py - t * uy, d2 = dx * dx + dy * dy;
+				final double free = (px * ux + py * uy) / l2;
+				final double t = Math.max(0, Math.min(1, free));
+				final double dx = px - t * ux, dy = py - t * uy;
+				final double beyond = (t == 0 ? isFirst : isLast) ? free - t : 0;
+				final double d2 = dx * dx + dy * dy + END_STRETCH * beyond * beyond * l2;
 				final int at = row * frame.width() + column;
 				if (d2 < distance2[at]) {
 					if (distance2[at] == reach2)

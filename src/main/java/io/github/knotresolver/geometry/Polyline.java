@@ -198,6 +198,24 @@ public final class Polyline {
 	}
 
 	/**
+	 * The points at every {@code step} pixels of arc length from the first, so that
+	 * points of equal index in two curves are at equal arc length. What is left of the
+	 * curve after the last whole step is not represented.
+	 *
+	 * @param step spacing in pixels, above 0
+	 * @return the points, at least one
+	 */
+	public Polyline every(final double step) {
+		if (!(step > 0))
+			throw new IllegalArgumentException(
+				"The sampling step must be above 0 pixels, but is " + step + ".");
+		final int n = (int) Math.floor(length() / step) + 1;
+		return n > 1
+			? head((n - 1) * step).divided(n - 1)
+			: new Polyline(new double[]{x[0]}, new double[]{y[0]});
+	}
+
+	/**
 	 * The part of the curve up to an arc length.
 	 *
 	 * @param s arc length in pixels; the whole curve if it is not shorter

@@ -43,4 +43,10 @@ public record Node(int id, Kind kind, Point position, List<Point> pixels) {
 	public boolean isFreeEnd() {
 		return kind == Kind.FREE_END;
 	}
+
+	/** The number: the same in every run, so that hashed order is too. */
+	@Override
+	public int hashCode() {
+		return id;
+	}
 }

@@ -104,6 +104,17 @@ public final class Segment {
 	}
 
 	@Override
+	public boolean equals(final Object other) {
+		return this == other;
+	}
+
+	/** The number: the same in every run, so that hashed order is too. */
+	@Override
+	public int hashCode() {
+		return id;
+	}
+
+	@Override
 	public String toString() {
 		return "Segment " + id + " from node " + source.id() + " to node " + target.id() + ", "
 			+ length() + " px";

@@ -28,14 +28,16 @@ import io.github.knotresolver.graph.GraphDraft.Vertex;
  * is one node with a loop; isolated pixels are left out; a junction of only two
  * segments (a kink of the staircase) is merged away.
  * <p>
- * Short spurs are pruned: they are thinning noise, they would double the number
- * of trails each, and a true tip that is lost with one is shorter than the
- * filament is wide. Immutable. Nodes and segments are numbered in scan order.
+ * Short spurs are pruned: they are thinning noise, and each would double the
+ * number of trails. A true tip that stands out from another strand leaves a
+ * spur as well, so only the very short ones go, and trails pay for the others
+ * by the pixel if they leave them out. Immutable. Nodes and segments are
+ * numbered in scan order.
  */
 public final class SkeletonGraph {
 
 	/** Spurs shorter than this (pixels) are pruned unless told otherwise. */
-	public static final double DEFAULT_SPUR_LENGTH = 6;
+	public static final double DEFAULT_SPUR_LENGTH = 4;
 
 	private final List<Node> nodes;
 	private final List<Segment> segments;

@@ -5,6 +5,7 @@ import net.imglib2.Cursor;
 import net.imglib2.RandomAccessibleInterval;
 import net.imglib2.img.Img;
 import net.imglib2.img.array.ArrayImgs;
+import net.imglib2.img.basictypeaccess.array.LongArray;
 import net.imglib2.type.logic.BitType;
 import net.imglib2.type.numeric.RealType;
 import net.imglib2.type.numeric.real.FloatType;
@@ -100,11 +101,11 @@ public final class Pixels {
 	 * @return them as a mask
 	 */
 	public static Img<BitType> mask(final boolean[] bits, final int width) {
-		final Img<BitType> mask = ArrayImgs.bits(width, bits.length / width);
-		final Cursor<BitType> cursor = mask.cursor();
-		for (final boolean bit : bits)
-			cursor.next().set(bit);
-		return mask;
+		final long[] packed = new long[(bits.length + 63) / 64];
+		for (int i = 0; i < bits.length; i++)
+			if (bits[i])
+				packed[i / 64] |= 1L << i;
+		return ArrayImgs.bits(new LongArray(packed), width, bits.length / width);
 	}
 
 	private static void requireTwoDimensions(final RandomAccessibleInterval<?> image) {

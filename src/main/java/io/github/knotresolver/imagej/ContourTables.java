@@ -6,6 +6,8 @@ import ij.measure.ResultsTable;
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.io.MeasuredFrame;
+import io.github.knotresolver.io.MeasuredResolution;
+import io.github.knotresolver.measure.Quantity;
 import io.github.knotresolver.track.TrackedFrame;
 
 /**
@@ -20,14 +22,12 @@ public final class ContourTables {
 
 	/**
 	 * @param image the image's title; tables are named after it
-	 * @param frames measured frames
-	 * @param calibration units
+	 * @param result a measured result
 	 */
-	public ContourTables(final String image, final List<MeasuredFrame> frames,
-		final Calibration calibration) {
+	public ContourTables(final String image, final MeasuredResolution result) {
 		this.image = image;
-		this.frames = List.copyOf(frames);
-		this.calibration = calibration;
+		this.frames = result.frames();
+		this.calibration = result.calibration();
 	}
 
 	/** @return one row a point */
@@ -42,10 +42,9 @@ public final class ContourTables {
 	private void addContour(final ResultsTable table, final MeasuredFrame frame,
 		final Polyline contour) {
 		final String length = unit(calibration.unit());
-		final double[] none = new double[0];
-		final double[] arc = frame.geometry().map(g -> g.arcLength()).orElse(none);
-		final double[] angle = frame.geometry().map(g -> g.tangentAngle()).orElse(none);
-		final double[] curvature = frame.geometry().map(g -> g.curvature()).orElse(none);
+		final double[] arc = frame.arcLength();
+		final double[] angle = frame.tangentAngle();
+		final double[] curvature = frame.curvature();
 		for (int i = 0; i < contour.size(); i++) {
 			table.addRow();
 			table.addValue("frame", frame.tracked().frame());
@@ -74,8 +73,8 @@ public final class ContourTables {
 				(tracked.frame() - 1) * calibration.frameInterval());
 			table.addValue("status", tracked.status().label());
 			table.addValue("length" + length, frame.length());
-			table.addValue("end-to-end distance" + length, frame.endToEnd());
-			table.addValue("tip angle" + unit("rad"), frame.tipAngle());
+			table.addValue("end-to-end distance" + length, frame.get(Quantity.END_TO_END));
+			table.addValue("tip angle" + unit("rad"), frame.get(Quantity.TIP_ANGLE));
 			table.addValue("junctions", tracked.junctions());
 			table.addValue("crossings", tracked.crossings());
 			table.addValue("candidates", tracked.candidates());

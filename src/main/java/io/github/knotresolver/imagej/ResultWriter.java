@@ -4,17 +4,14 @@ import java.awt.image.RenderedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.OptionalDouble;
 
 import javax.imageio.ImageIO;
 
 import ij.io.FileSaver;
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.FramesCsv;
 import io.github.knotresolver.io.InputOptions;
-import io.github.knotresolver.io.MeasuredFrame;
+import io.github.knotresolver.io.MeasuredResolution;
 import io.github.knotresolver.io.OriginalFiles;
 import io.github.knotresolver.io.ParametersJson;
 import io.github.knotresolver.io.ResultFolder;
@@ -25,23 +22,18 @@ import io.github.knotresolver.progress.Progress;
 /** Writes all files of a result. */
 public final class ResultWriter {
 
+	private final MeasuredResolution result;
 	private final Resolution resolution;
 	private final InputOptions input;
-	private final List<MeasuredFrame> frames;
 
 	/**
-	 * @param resolution the result
+	 * @param result a measured result
 	 * @param input how its movie was taken from the image
 	 */
-	public ResultWriter(final Resolution resolution, final InputOptions input) {
-		this.resolution = resolution;
+	public ResultWriter(final MeasuredResolution result, final InputOptions input) {
+		this.result = result;
+		this.resolution = result.resolution();
 		this.input = input;
-		this.frames = MeasuredFrame.of(resolution);
-	}
-
-	/** @return the frames with their geometry */
-	public List<MeasuredFrame> frames() {
-		return frames;
 	}
 
 	/**
@@ -71,15 +63,12 @@ public final class ResultWriter {
 	}
 
 	private void writeTables(final Path folder) throws IOException {
-		final Calibration calibration = resolution.movie().calibration();
-		final OptionalDouble frequency = OptionalDouble.empty();
-		ContoursCsv.write(folder.resolve(ContoursCsv.FILE), frames, calibration);
-		FramesCsv.write(folder.resolve(FramesCsv.FILE), frames, calibration);
-		SummaryCsv.write(folder.resolve(SummaryCsv.FILE), resolution, frames, frequency, input);
+		ContoursCsv.write(folder.resolve(ContoursCsv.FILE), result);
+		FramesCsv.write(folder.resolve(FramesCsv.FILE), result);
+		SummaryCsv.write(folder.resolve(SummaryCsv.FILE), result, input);
 		ParametersJson.write(folder.resolve(ParametersJson.FILE), resolution, input);
-		OriginalFiles.writeContours(folder.resolve(OriginalFiles.CONTOURS), frames);
-		OriginalFiles.writeStatistics(folder.resolve(OriginalFiles.STATISTICS), frames, calibration,
-			frequency);
+		OriginalFiles.writeContours(folder.resolve(OriginalFiles.CONTOURS), result);
+		OriginalFiles.writeStatistics(folder.resolve(OriginalFiles.STATISTICS), result);
 	}
 
 	private void writePictures(final Path folder, final boolean plots, final Progress progress)

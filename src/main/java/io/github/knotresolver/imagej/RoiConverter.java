@@ -11,7 +11,6 @@ import ij.gui.Roi;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.pipeline.Resolution;
-import io.github.knotresolver.track.TrackedFrame;
 
 /**
  * Contours to ROIs and back. ImageJ puts the centre of the first pixel at 0.5;
@@ -21,6 +20,9 @@ public final class RoiConverter {
 
 	/** From an integer that is a pixel centre to ImageJ's coordinates. */
 	static final double OFFSET = 0.5;
+
+	/** Every name starts so. */
+	static final String PREFIX = "knot-";
 
 	private static final int LEAST_DIGITS = 4;
 
@@ -59,17 +61,22 @@ public final class RoiConverter {
 	 *         order, with name and position
 	 */
 	public List<Roi> rois(final Resolution resolution) {
-		return resolution.frames().stream().filter(f -> f.contour().isPresent()).map(this::roi)
-			.toList();
+		return resolution.frames().stream().filter(f -> f.contour().isPresent())
+			.map(f -> roi(f.contour().orElseThrow(), f.frame())).toList();
 	}
 
-	private Roi roi(final TrackedFrame frame) {
-		final Roi roi = polyline(frame.contour().orElseThrow());
-		roi.setName(String.format(Locale.ROOT, "knot-%0" + digits + "d", frame.frame()));
+	/**
+	 * @param contour a contour in pixels
+	 * @param frame its 1-based frame
+	 * @return a sub-pixel polyline with name and position
+	 */
+	Roi roi(final Polyline contour, final int frame) {
+		final Roi roi = polyline(contour);
+		roi.setName(PREFIX + String.format(Locale.ROOT, "%0" + digits + "d", frame));
 		if (hyperstack)
-			roi.setPosition(channel, 1, frame.frame());
+			roi.setPosition(channel, 1, frame);
 		else
-			roi.setPosition(frame.frame());
+			roi.setPosition(frame);
 		return roi;
 	}
 

@@ -4,6 +4,7 @@ package io.github.knotresolver.io;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -17,7 +18,6 @@ import org.apache.commons.csv.CSVRecord;
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.measure.ContourGeometry;
 
 /**
  * {@code contours.csv}: one row a point. {@code x_px, y_px} are pixels (origin
@@ -39,25 +39,22 @@ public final class ContoursCsv {
 
 	/**
 	 * @param file the file to write
-	 * @param frames the frames, measured
-	 * @param calibration units
+	 * @param result a measured result
 	 * @throws IOException if the disk says no
 	 */
-	public static void write(final Path file, final List<MeasuredFrame> frames,
-		final Calibration calibration) throws IOException {
+	public static void write(final Path file, final MeasuredResolution result) throws IOException {
 		try (CSVPrinter csv = CsvFile.create(file, HEADER)) {
-			for (final MeasuredFrame frame : frames)
+			for (final MeasuredFrame frame : result.frames())
 				if (frame.tracked().contour().isPresent())
-					writeContour(csv, frame, calibration);
+					writeContour(csv, frame, result.calibration());
 		}
 	}
 
 	private static void writeContour(final CSVPrinter csv, final MeasuredFrame frame,
 		final Calibration c) throws IOException {
 		final Polyline contour = frame.tracked().contour().orElseThrow();
-		final double[] arc = frame.geometry().map(ContourGeometry::arcLength).orElse(null);
-		final double[] angle = frame.geometry().map(ContourGeometry::tangentAngle).orElse(null);
-		final double[] curvature = frame.geometry().map(ContourGeometry::curvature).orElse(null);
+		final double[] arc = frame.arcLength(), angle = frame.tangentAngle(),
+			curvature = frame.curvature();
 		for (int i = 0; i < contour.size(); i++)
 			csv.printRecord(frame.tracked().frame(), i, NumberText.pixels(contour.x(i)),
 				NumberText.pixels(contour.y(i)),
@@ -67,7 +64,7 @@ public final class ContoursCsv {
 	}
 
 	private static String at(final double[] values, final int i) {
-		return values == null ? "" : NumberText.significant(values[i]);
+		return i < values.length ? NumberText.significant(values[i]) : "";
 	}
 
 	/**
@@ -106,7 +103,7 @@ public final class ContoursCsv {
 	private static void addPoint(final Path file, final CSVRecord record, final int[] columns,
 		final SortedMap<Integer, SortedMap<Integer, Point>> frames) {
 		final String place = file.getFileName() + ", line " + record.getRecordNumber();
-		if (record.size() <= java.util.Arrays.stream(columns).max().orElse(0))
+		if (record.size() <= Arrays.stream(columns).max().orElse(0))
 			throw new IllegalArgumentException(
 				place + ", has " + record.size() + " columns, fewer than its header.");
 		final int frame = OptionText.wholeNumber(place + ": frame", record.get(columns[0]), 1);

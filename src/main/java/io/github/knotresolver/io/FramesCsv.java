@@ -3,11 +3,10 @@ package io.github.knotresolver.io;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.List;
 
 import org.apache.commons.csv.CSVPrinter;
 
-import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.measure.Quantity;
 import io.github.knotresolver.track.TrackedFrame;
 
 /**
@@ -28,23 +27,23 @@ public final class FramesCsv {
 
 	/**
 	 * @param file the file to write
-	 * @param frames the frames, measured
-	 * @param calibration units
+	 * @param result a measured result
 	 * @throws IOException if the disk says no
 	 */
-	public static void write(final Path file, final List<MeasuredFrame> frames,
-		final Calibration calibration) throws IOException {
+	public static void write(final Path file, final MeasuredResolution result) throws IOException {
 		try (CSVPrinter csv = CsvFile.create(file, HEADER)) {
-			for (final MeasuredFrame frame : frames) {
+			for (final MeasuredFrame frame : result.frames()) {
 				final TrackedFrame tracked = frame.tracked();
 				csv.printRecord(tracked.frame(), tracked.status().label(), tracked.reason(),
-					NumberText.significant(frame.length()),
-					NumberText.significant(frame.endToEnd()),
-					NumberText.significant(frame.tipAngle()), tracked.junctions(),
-					tracked.crossings(), tracked.candidates(),
-					NumberText.significant(tracked.cost()),
-					NumberText.significant(tracked.confidence()), calibration.unit());
+					text(frame, Quantity.LENGTH), text(frame, Quantity.END_TO_END),
+					text(frame, Quantity.TIP_ANGLE), tracked.junctions(), tracked.crossings(),
+					tracked.candidates(), NumberText.significant(tracked.cost()),
+					NumberText.significant(tracked.confidence()), result.calibration().unit());
 			}
 		}
+	}
+
+	private static String text(final MeasuredFrame frame, final Quantity quantity) {
+		return NumberText.significant(frame.get(quantity));
 	}
 }

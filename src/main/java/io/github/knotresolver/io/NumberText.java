@@ -10,8 +10,10 @@ public final class NumberText {
 
 	private static final MathContext SIX_DIGITS = new MathContext(6, RoundingMode.HALF_EVEN);
 	private static final int PIXEL_DECIMALS = 3;
-	/** From here up and down an exponent reads better than zeros. */
-	private static final double LARGE = 1e12, SMALL = 1e-9;
+	/** From here up an exponent reads better than zeros. */
+	private static final double LARGE = 1e12;
+	/** What is smaller is rounding error. */
+	private static final double NOTHING = 1e-9;
 
 	private NumberText() {
 	}
@@ -38,15 +40,15 @@ public final class NumberText {
 
 	/**
 	 * @param value any number
-	 * @return it with six significant digits; empty if it is not finite
+	 * @return it with six significant digits, 0 if it is smaller than 1e-9; empty if
+	 *         it is not finite
 	 */
 	public static String significant(final double value) {
 		if (!Double.isFinite(value))
 			return "";
-		if (value == 0)
+		if (Math.abs(value) < NOTHING)
 			return "0";
 		final BigDecimal rounded = new BigDecimal(value).round(SIX_DIGITS).stripTrailingZeros();
-		final double size = Math.abs(value);
-		return size < LARGE && size > SMALL ? rounded.toPlainString() : rounded.toString();
+		return Math.abs(value) < LARGE ? rounded.toPlainString() : rounded.toString();
 	}
 }

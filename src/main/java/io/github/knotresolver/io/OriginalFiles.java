@@ -7,12 +7,14 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.OptionalDouble;
 
 import org.apache.commons.csv.CSVPrinter;
 
 import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.measure.DominantFrequency;
+import io.github.knotresolver.measure.Quantity;
 
 /**
  * The original tool's files, so that its users' scripts go on working.
@@ -39,13 +41,13 @@ public final class OriginalFiles {
 
 	/**
 	 * @param file the file to write
-	 * @param frames measured frames
+	 * @param result a measured result
 	 * @throws IOException if the disk says no
 	 */
-	public static void writeContours(final Path file, final List<MeasuredFrame> frames)
+	public static void writeContours(final Path file, final MeasuredResolution result)
 		throws IOException {
 		try (CSVPrinter csv = CsvFile.create(file)) {
-			for (final MeasuredFrame frame : frames) {
+			for (final MeasuredFrame frame : result.frames()) {
 				if (frame.tracked().contour().isEmpty())
 					continue;
 				final Polyline contour = frame.tracked().contour().get();
@@ -58,15 +60,14 @@ public final class OriginalFiles {
 
 	/**
 	 * @param file the file to write
-	 * @param frames measured frames
-	 * @param c units
-	 * @param dominantFrequency of the tip angle; empty if none stands out
+	 * @param result a measured result
 	 * @throws IOException if the disk says no
 	 */
-	public static void writeStatistics(final Path file, final List<MeasuredFrame> frames,
-		final Calibration c, final OptionalDouble dominantFrequency) throws IOException {
-		final List<MeasuredFrame> measured = frames.stream().filter(f -> f.geometry().isPresent())
-			.toList();
+	public static void writeStatistics(final Path file, final MeasuredResolution result)
+		throws IOException {
+		final Calibration c = result.calibration();
+		final List<MeasuredFrame> measured = result.frames().stream()
+			.filter(f -> !Double.isNaN(f.length())).toList();
 		final LengthStatistics s = LengthStatistics
 			.ofLengths(measured.stream().mapToDouble(f -> length(f, c)).toArray());
 		final String unit = c.unit().equals("µm") ? MICRON : c.unit();
@@ -75,8 +76,11 @@ public final class OriginalFiles {
 			out.write("Scaling Factor: " + NumberText.fixed(c.pixelSize(), 5) + "\n");
 			out.write("Time Step: " + NumberText.fixed(c.frameInterval(), 2) + "\n");
 			out.write("Distance ignored from end (" + unit + "s): 0.00\n");
-			out.write("Dominant Frequency (" + SummaryCsv.frequencyUnit(c) + "): "
-				+ number(dominantFrequency.orElse(Double.NaN), 5) + "\n\n");
+			out.write("Dominant Frequency (" + result.frequencyUnit() + "): "
+				+ number(
+					result.dominantFrequency().map(DominantFrequency::frequency).orElse(Double.NaN),
+					5)
+				+ "\n\n");
 			out.write("Mean Length, Median Length, Std Length, Min Length, Max Length\n");
 			out.write(String.join(", ", number(s.mean(), 2), number(s.median(), 2),
 				number(s.sd(), 2), number(s.min(), 2), number(s.max(), 2)) + "\n");
@@ -90,8 +94,9 @@ public final class OriginalFiles {
 	private static String row(final MeasuredFrame frame, final Calibration c) {
 		final Polyline contour = frame.tracked().contour().orElseThrow();
 		return frame.tracked().frame() + ", " + number(length(frame, c), 3) + ", "
-			+ number(folded(tipDirection(contour)), 3) + ", " + number(folded(frame.tipAngle()), 3)
-			+ ", " + number(frame.endToEnd(), 3);
+			+ number(folded(tipDirection(contour)), 3) + ", "
+			+ number(folded(frame.get(Quantity.TIP_ANGLE)), 3) + ", "
+			+ number(frame.get(Quantity.END_TO_END), 3);
 	}
 
 	private static double length(final MeasuredFrame frame, final Calibration c) {
@@ -99,7 +104,7 @@ public final class OriginalFiles {
 	}
 
 	private static double tipDirection(final Polyline contour) {
-		final var base = contour.at(contour.length() - TIP_PX);
+		final Point base = contour.at(contour.length() - TIP_PX);
 		return Math.atan2(contour.last().y() - base.y(), contour.last().x() - base.x());
 	}
 

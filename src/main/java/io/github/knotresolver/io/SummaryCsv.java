@@ -3,17 +3,19 @@ package io.github.knotresolver.io;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.OptionalDouble;
+import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 
 import org.apache.commons.csv.CSVPrinter;
 
-import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.measure.DominantFrequency;
 import io.github.knotresolver.pipeline.Resolution;
 
 /**
  * {@code summary.csv}: one row for the movie. Lengths are in {@code unit}, the
- * dominant frequency of the tip angle in {@code frequency_unit};
+ * dominant frequency of the tip angle and its standard error in
+ * {@code frequency_unit}; {@code false_alarm} is the probability that noise alone
+ * shows such a peak (0..1);
  * {@code parameters} are the options on one line, as a macro has them.
  */
 public final class SummaryCsv {
@@ -23,39 +25,36 @@ public final class SummaryCsv {
 
 	private static final String[] HEADER = {"movie", "frames", "resolved", "length_mean",
 		"length_median", "length_sd", "length_min", "length_max", "unit", "dominant_frequency",
-		"frequency_unit", "version", "parameters"};
+		"dominant_frequency_se", "false_alarm", "frequency_unit", "version", "parameters"};
 
 	private SummaryCsv() {
 	}
 
 	/**
 	 * @param file the file to write
-	 * @param resolution the result
-	 * @param frames its frames, measured
-	 * @param dominantFrequency of the tip angle; empty if none stands out
+	 * @param result a measured result
 	 * @param input how the movie was taken from its image
 	 * @throws IOException if the disk says no
 	 */
-	public static void write(final Path file, final Resolution resolution,
-		final List<MeasuredFrame> frames, final OptionalDouble dominantFrequency,
+	public static void write(final Path file, final MeasuredResolution result,
 		final InputOptions input) throws IOException {
-		final LengthStatistics s = LengthStatistics.of(frames);
-		final Calibration c = resolution.movie().calibration();
+		final LengthStatistics s = LengthStatistics.of(result.frames());
+		final Resolution resolution = result.resolution();
+		final Optional<DominantFrequency> f = result.dominantFrequency();
 		try (CSVPrinter csv = CsvFile.create(file, HEADER)) {
 			csv.printRecord(resolution.movie().name(), resolution.movie().size(),
 				resolution.resolved(), NumberText.significant(s.mean()),
 				NumberText.significant(s.median()), NumberText.significant(s.sd()),
-				NumberText.significant(s.min()), NumberText.significant(s.max()), c.unit(),
-				NumberText.significant(dominantFrequency.orElse(Double.NaN)), frequencyUnit(c),
+				NumberText.significant(s.min()), NumberText.significant(s.max()),
+				result.calibration().unit(), text(f, DominantFrequency::frequency),
+				text(f, DominantFrequency::standardError),
+				text(f, DominantFrequency::falseAlarmProbability), result.frequencyUnit(),
 				ProgramVersion.get(), ParametersJson.line(resolution, input));
 		}
 	}
 
-	/**
-	 * @param c a calibration
-	 * @return {@code Hz}, or {@code 1/unit of time}
-	 */
-	static String frequencyUnit(final Calibration c) {
-		return c.timeUnit().equals("s") ? "Hz" : "1/" + c.timeUnit();
+	private static String text(final Optional<DominantFrequency> frequency,
+		final ToDoubleFunction<DominantFrequency> value) {
+		return frequency.map(f -> NumberText.significant(value.applyAsDouble(f))).orElse("");
 	}
 }

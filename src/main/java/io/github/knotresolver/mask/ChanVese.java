@@ -34,10 +34,11 @@ public final class ChanVese {
 	 * where curvature, in 1/px, is positive where the mask is convex. Without
 	 * smoothing the front comes to rest at the intensity that lies at (1 +
 	 * contractionBias) / 2 of the way from outside to inside: half way for 0, 70
-	 * % for 0.4. The first term is held within -1..1. One iteration moves the
-	 * front by at most half a pixel. A mask that vanishes stays empty, and a mask
-	 * that fills the frame, or is no brighter than what is around it, is left as
-	 * it is. Pixels without a value (NaN) count as the lowest of the frame.
+	 * % for 0.4. The first term is held within -1..1, and is 0 if it is no
+	 * brighter inside than outside: a mask that has lost its object shrinks by its
+	 * bias. One iteration moves the front by at most half a pixel. A mask that
+	 * vanishes stays empty, and a mask that fills the frame has no front and stays
+	 * as it is. Pixels without a value (NaN) count as the lowest of the frame.
 	 * O(iterations * length of the front).
 	 * <p>
 	 * Chan and Vese 2001, doi:10.1109/83.902291; the band is Whitaker's sparse
@@ -53,12 +54,12 @@ public final class ChanVese {
 	public static Img<BitType> evolve(final RandomAccessibleInterval<FloatType> frame,
 		final RandomAccessibleInterval<BitType> seed, final int iterations,
 		final double contractionBias, final double smoothFactor) {
-		requireSameSize(frame, seed);
+		Masks.requireSameSize(frame, seed);
 		new Segmentation(OptionalDouble.empty(), iterations, contractionBias, smoothFactor);
 		final float[] values = Pixels.floats(frame);
 		final SparseField field = new SparseField(Pixels.bits(seed), Pixels.width(frame));
 		RegionMeans means = RegionMeans.of(values, field);
-		for (int i = 0; i < iterations && means.contrast() > 0; i++) {
+		for (int i = 0; i < iterations; i++) {
 			field.move(steps(field, values, means, contractionBias, smoothFactor));
 			means = RegionMeans.of(values, field);
 		}
@@ -71,8 +72,7 @@ public final class ChanVese {
 		final float[] steps = new float[field.frontSize()];
 		for (int i = 0; i < steps.length; i++) {
 			final int at = field.front(i);
-			final double data = within(1,
-				(2 * values[at] - means.inside() - means.outside()) / means.contrast());
+			final double data = means.likeness(values[at]);
 			final double speed = data - contractionBias - smoothFactor * field.curvature(at);
 			steps[i] = (float) within(LONGEST_STEP, STEP * speed);
 		}
@@ -81,14 +81,5 @@ public final class ChanVese {
 
 	private static double within(final double limit, final double value) {
 		return Math.max(-limit, Math.min(limit, value));
-	}
-
-	private static void requireSameSize(final RandomAccessibleInterval<FloatType> frame,
-		final RandomAccessibleInterval<BitType> seed) {
-		if (Pixels.width(frame) != Pixels.width(seed)
-			|| Pixels.height(frame) != Pixels.height(seed))
-			throw new IllegalArgumentException("The seed must be as large as the frame, "
-				+ Pixels.width(frame) + " x " + Pixels.height(frame) + " pixels, but is "
-				+ Pixels.width(seed) + " x " + Pixels.height(seed) + ".");
 	}
 }

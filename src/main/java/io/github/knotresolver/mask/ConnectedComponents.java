@@ -113,11 +113,26 @@ public final class ConnectedComponents {
 	}
 
 	/**
+	 * @param point a place, inside the frame or not
+	 * @param reach a distance in pixels
+	 * @return the objects with a pixel no further away, in the order of their
+	 *         labels. O(n)
+	 */
+	public List<MaskObject> near(final Point point, final double reach) {
+		final boolean[] isNear = new boolean[objects.size() + 1];
+		for (int at = 0; at < labels.length; at++)
+			if (labels[at] != 0 && !isNear[labels[at]])
+				isNear[labels[at]] = point.distanceTo(new Point(at % width, at / width)) <= reach;
+		return objects.stream().filter(object -> isNear[object.label()]).toList();
+	}
+
+	/**
 	 * @param mask a mask of the same size
 	 * @return by label, how many pixels each object shares with it; the pixels of
 	 *         no object at 0
 	 */
 	public int[] overlap(final RandomAccessibleInterval<BitType> mask) {
+		Masks.requireSize(width, labels.length / width, mask);
 		final boolean[] bits = Pixels.bits(mask);
 		final int[] shared = new int[objects.size() + 1];
 		for (int at = 0; at < labels.length; at++)

@@ -48,7 +48,8 @@ public final class FilamentSegmenter {
 	 * @return a mask of the same size with all objects
 	 */
 	public Img<BitType> segment(final RandomAccessibleInterval<FloatType> frame) {
-		return segmentFrom(frame, thresholder.seed(frame));
+		final Seed seed = thresholder.seed(frame);
+		return segmentFrom(seed.frame(), seed.mask());
 	}
 
 	/**

@@ -1,4 +1,3 @@
-
 package io.github.knotresolver.mask;
 
 import net.imglib2.RandomAccessibleInterval;
@@ -24,7 +23,18 @@ public final class FixedThreshold implements Thresholder {
 	}
 
 	@Override
-	public Img<BitType> seed(final RandomAccessibleInterval<FloatType> frame) {
+	public Seed seed(final RandomAccessibleInterval<FloatType> frame) {
+		return new Seed(frame, above(frame, level));
+	}
+
+	/**
+	 * @param frame a frame
+	 * @param level an intensity
+	 * @return a new mask of the same size: the pixels above it; a pixel without a
+	 *         value (NaN) counts as the lowest
+	 */
+	public static Img<BitType> above(final RandomAccessibleInterval<FloatType> frame,
+		final double level) {
 		final float[] values = Pixels.floats(frame);
 		final boolean[] above = new boolean[values.length];
 		for (int i = 0; i < values.length; i++)

@@ -22,8 +22,13 @@ record RegionMeans(double inside, double outside) {
 		return new RegionMeans(inside / count, (all - inside) / (values.length - count));
 	}
 
-	/** @return how much brighter it is inside; NaN if a region is empty */
-	double contrast() {
-		return inside - outside;
+	/**
+	 * How much a value is like the inside: 1 at the mean inside, -1 at the mean
+	 * outside, within -1..1; 0 if the inside is no brighter or a region is empty.
+	 */
+	double likeness(final double value) {
+		if (!(inside > outside))
+			return 0;
+		return Math.max(-1, Math.min(1, (2 * value - inside - outside) / (inside - outside)));
 	}
 }

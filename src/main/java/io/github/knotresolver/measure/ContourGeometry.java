@@ -33,17 +33,20 @@ public final class ContourGeometry {
 	private final double[] tangentAngle;
 	private final double[] curvature;
 	private final CurveNoise noise;
+	private final Estimate bending;
 
 	private ContourGeometry(final SmoothedCurve curve, final Smoothing smoothing,
 		final double pixelSize) {
 		this.smoothing = smoothing;
 		this.pixelSize = pixelSize;
-		this.arcLength = curve.arcLength();
+
 		this.x = curve.x();
 		this.y = curve.y();
 		this.tangentAngle = curve.tangentAngle();
 		this.curvature = curve.curvature();
 		this.noise = curve.noise();
+		this.arcLength = curve.arcLength(noise.sigma() * noise.sigma() * noise.inflation());
+		this.bending = curve.bending(noise, smoothing.window());
 	}
 
 	/**
@@ -146,6 +149,15 @@ public final class ContourGeometry {
 	/** @return the noise of the points and the standard errors it causes */
 	public CurveNoise noise() {
 		return noise;
+	}
+
+	/**
+	 * @return ½ ∫ κ² ds in 1/unit of length: the bending energy of a filament of
+	 *         rigidity 1. What noise adds on average is taken off, so a straight
+	 *         noisy filament scatters about 0.
+	 */
+	public Estimate bendingIntegral() {
+		return bending;
 	}
 
 	/** @return length of the smoothed curve, in the unit of length */

@@ -72,29 +72,31 @@ final class LocalPolynomial {
 
 	/** @return derivative {@code d} of x with respect to arc length */
 	double x(final int d) {
-		return cx[d] * unit(d);
+		return d < terms ? cx[d] * unit(d) : 0;
 	}
 
 	/** @return derivative {@code d} of y with respect to arc length */
 	double y(final int d) {
-		return cy[d] * unit(d);
+		return d < terms ? cy[d] * unit(d) : 0;
 	}
 
 	/** @return variance of derivative {@code d} for unit noise of every point */
 	double variance(final int d) {
-		return inverse[d][d] * unit(d) * unit(d);
+		return d < terms ? inverse[d][d] * unit(d) * unit(d) : 0;
 	}
 
 	/**
+	 * How much derivative {@code d} changes when a point moves by 1: a polynomial
+	 * in that point's arc length less that of the evaluation.
+	 *
 	 * @param d order of the derivative
-	 * @param offset arc length of a point less that of the evaluation
-	 * @return how much derivative {@code d} changes when that point moves by 1
+	 * @param factor multiplies the weights
+	 * @param into receives the polynomial's coefficients, lowest first
 	 */
-	double weight(final int d, final double offset) {
-		double sum = 0;
-		for (int k = terms - 1; k >= 0; k--)
-			sum = sum * offset * scale + inverse[d][k];
-		return sum * unit(d);
+	void copyWeights(final int d, final double factor, final double[] into) {
+		double power = unit(d) * factor;
+		for (int k = 0; k < terms; k++, power *= scale)
+			into[k] = d < terms ? inverse[d][k] * power : 0;
 	}
 
 	/** From a coefficient in scaled arc length to a derivative: d! scale^d. */
@@ -102,7 +104,7 @@ final class LocalPolynomial {
 		double u = 1;
 		for (int k = 1; k <= d; k++)
 			u *= k * scale;
-		return d < terms ? u : 0;
+		return u;
 	}
 
 	/** Inverts the normal matrix by its Cholesky factor. */

@@ -17,12 +17,14 @@ final class SmoothingBias {
 	private final double window;
 	private final double[][] squares;
 	private final double[][] excess;
+	private final double[] curvatureDifference;
 
 	SmoothingBias(final Samples raw, final double window) {
 		this.raw = raw;
 		this.window = window;
 		squares = new double[2][raw.size()];
 		excess = new double[2][raw.size()];
+		curvatureDifference = new double[raw.size()];
 	}
 
 	/** Differences at point {@code i}, and their variances for unit noise. */
@@ -32,6 +34,12 @@ final class SmoothingBias {
 		excess[ANGLE][i] = angleVariance;
 		squares[CURVATURE][i] = curvature * curvature;
 		excess[CURVATURE][i] = curvatureVariance;
+		curvatureDifference[i] = curvature;
+	}
+
+	/** @return curvature of the higher order less that of the lower */
+	double curvatureDifference(final int i) {
+		return curvatureDifference[i];
 	}
 
 	/** @return the standard errors with the bias added in squares */

@@ -80,4 +80,12 @@ public record Parameters(Optional<Point> fixedEnd, Cleaning cleaning, Segmentati
 		ignoreFrames = java.util.Collections.unmodifiableSortedSet(new TreeSet<>(ignoreFrames));
 		corrections = Map.copyOf(corrections);
 	}
+
+	/**
+	 * @return whether this is the published method from end to end: then Otsu's threshold
+	 *         is taken as published, and the contour is left at pixel resolution
+	 */
+	public boolean isPublished() {
+		return candidates == CandidateMethod.PAPER && resolver == ResolverMethod.PAPER;
+	}
 }

@@ -7,12 +7,12 @@ import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.graph.SkeletonGraph;
 
 /**
- * A frame as the resolver sees it.
+ * A frame as the fit sees it.
  *
- * @param index 0-based index in the movie
+ * @param frame 1-based number of the frame in the movie
  * @param light the pixels, background at 0
  * @param mask all objects
  * @param graph the graph of their skeletons
  */
-public record FrameView(int index, NormalizedFrame light, Img<BitType> mask, SkeletonGraph graph) {
+public record FrameView(int frame, NormalizedFrame light, Img<BitType> mask, SkeletonGraph graph) {
 }

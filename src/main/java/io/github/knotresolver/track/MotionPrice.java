@@ -11,6 +11,9 @@ import io.github.knotresolver.fit.Chain;
  */
 record MotionPrice(double perPixel) {
 
+	/** The weight that was found to work, with energies in strand intensities squared. */
+	static final MotionPrice DEFAULT = new MotionPrice(1);
+
 	double between(final Chain a, final Chain b) {
 		return perPixel * a.distance(b);
 	}

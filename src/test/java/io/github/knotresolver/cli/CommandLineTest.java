@@ -26,6 +26,7 @@ import ij.ImagePlus;
 import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.imagej.TestImages;
 import io.github.knotresolver.progress.CancelledException;
+import io.github.knotresolver.progress.Progress;
 
 /** What a user types, and what comes of it. */
 class CommandLineTest {
@@ -251,8 +252,8 @@ class CommandLineTest {
 
 	private static Run run(final Engine engine, final String... args) {
 		final StringWriter out = new StringWriter(), err = new StringWriter();
-		final int status = KnotResolverMain.run(engine, new PrintWriter(out), new PrintWriter(err),
-			args);
+		final int status = KnotResolverMain.run(engine, Progress.NONE, new PrintWriter(out),
+			new PrintWriter(err), args);
 		return new Run(status, out.toString(), err.toString());
 	}
 

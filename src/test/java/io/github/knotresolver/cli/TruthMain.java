@@ -1,7 +1,6 @@
 package io.github.knotresolver.cli;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -34,8 +33,7 @@ public final class TruthMain {
 		final Engine engine = contours.isEmpty()
 			? (m, p, progress) -> waitForCancel(progress)
 			: (m, p, progress) -> known(m, p, Path.of(contours));
-		System.exit(KnotResolverMain.run(engine, new PrintWriter(System.out),
-			new PrintWriter(System.err), args));
+		KnotResolverMain.start(engine, args);
 	}
 
 	private static Resolution waitForCancel(

@@ -40,7 +40,7 @@ class ChanVeseTest {
 		final Img<FloatType> frame = filament();
 		final float[] values = Pixels.floats(frame);
 		final boolean[] mask = Pixels
-			.bits(ChanVese.evolve(frame, new FixedThreshold(start).seed(frame), 60, 0.4, 0));
+			.bits(ChanVese.evolve(frame, FixedThreshold.above(frame, start), 60, 0.4, 0));
 		double in = 0, out = 0;
 		int n = 0;
 		for (int i = 0; i < mask.length; i++) {
@@ -71,7 +71,7 @@ class ChanVeseTest {
 	@Test
 	void oneIterationMovesTheFrontByOnePixelAtMost() {
 		final Img<FloatType> frame = filament();
-		final boolean[] seed = Pixels.bits(new FixedThreshold(0.1).seed(frame));
+		final boolean[] seed = Pixels.bits(FixedThreshold.above(frame, 0.1));
 		final boolean[] after = Pixels
 			.bits(ChanVese.evolve(frame, Pixels.mask(seed, SIZE), 1, 1, 0));
 		for (int i = 0; i < seed.length; i++)
@@ -82,7 +82,7 @@ class ChanVeseTest {
 	@Test
 	void biasShrinksAndItsOppositeGrows() {
 		final Img<FloatType> frame = filament();
-		final Img<BitType> seed = new FixedThreshold(0.5).seed(frame);
+		final Img<BitType> seed = FixedThreshold.above(frame, 0.5);
 		final int none = count(ChanVese.evolve(frame, seed, 10, 0, 0));
 		assertTrue(count(ChanVese.evolve(frame, seed, 10, 0.8, 0)) < none);
 		assertTrue(count(ChanVese.evolve(frame, seed, 10, -0.8, 0)) > none);
@@ -129,8 +129,8 @@ class ChanVeseTest {
 		for (int i = 0; i < values.length; i++)
 			values[i] = i / 20 < 4 ? 1 : 0;
 		final Img<FloatType> frame = Pixels.image(values, 20);
-		final Img<BitType> mask = ChanVese.evolve(frame, new FixedThreshold(0.5).seed(frame), 10,
-			0.4, 0.2);
+		final Img<BitType> mask = ChanVese.evolve(frame, FixedThreshold.above(frame, 0.5), 10, 0.4,
+			0.2);
 		assertEquals(80, count(mask));
 		final boolean[] all = new boolean[200];
 		Arrays.fill(all, true);
@@ -140,7 +140,7 @@ class ChanVeseTest {
 	@Test
 	void sameInputSameBytes() {
 		final Img<FloatType> frame = filament();
-		final Img<BitType> seed = new FixedThreshold(0.3).seed(frame);
+		final Img<BitType> seed = FixedThreshold.above(frame, 0.3);
 		assertArrayEquals(Pixels.bits(ChanVese.evolve(frame, seed, 10, 0.4, 0.2)),
 			Pixels.bits(ChanVese.evolve(frame, seed, 10, 0.4, 0.2)));
 	}

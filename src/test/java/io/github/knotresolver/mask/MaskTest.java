@@ -1,8 +1,10 @@
 
 package io.github.knotresolver.mask;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -105,5 +107,59 @@ class MaskTest {
 		assertFalse(found.get(0).isPresent());
 		assertFalse(found.get(2).isPresent());
 		assertEquals(Ascii.draw(there), Ascii.draw(found.get(3).orElseThrow()));
+	}
+
+	@Test
+	void clampedObjectIsNotTakenForAForeignOneThatTouchedIt() {
+		final Img<BitType> apart = Ascii.mask("""
+			...............
+			.####..........
+			......#########
+			......#########
+			""");
+		final Img<BitType> touching = Ascii.mask("""
+			...............
+			.######........
+			......#########
+			......#########
+			""");
+		final List<Img<BitType>> masks = List.of(apart, touching, apart);
+		final Point clamp = new Point(1, 1);
+		assertEquals(9,
+			ConnectedComponents.of(ObjectFollower.follow(masks, clamp).get(2).orElseThrow())
+				.objects().get(0).maxX() - 5,
+			"the published rule takes the larger");
+		assertEquals(4,
+			ConnectedComponents
+				.of(ObjectFollower.followClamped(masks, clamp, 2).get(2).orElseThrow()).objects()
+				.get(0).maxX());
+	}
+
+	@Test
+	void clampedObjectThatLeavesItsClampIsFollowedByOverlap() {
+		final Img<BitType> moved = Ascii.mask("...####");
+		final List<Optional<Img<BitType>>> found = ObjectFollower
+			.followClamped(List.of(Ascii.mask("#####.."), moved), new Point(0, 0), 1);
+		assertEquals(Ascii.draw(moved), Ascii.draw(found.get(1).orElseThrow()));
+	}
+
+	@Test
+	void impossibleReachAndSizesAreRefused() {
+		final List<Img<BitType>> masks = List.of(TWO, Ascii.mask("##"));
+		assertTrue(assertThrows(IllegalArgumentException.class,
+			() -> ObjectFollower.followClamped(masks, new Point(0, 0), -1)).getMessage()
+			.contains("-1.0"));
+		assertTrue(assertThrows(IllegalArgumentException.class,
+			() -> ObjectFollower.follow(masks, new Point(0, 0))).getMessage().contains("9 x 4"));
+	}
+
+	@Test
+	void overlapCountsSharedPixelsByLabel() {
+		assertArrayEquals(new int[]{5, 1, 3}, ConnectedComponents.of(TWO).overlap(Ascii.mask("""
+			##.......
+			..##.##..
+			..##..#..
+			.........
+			""")));
 	}
 }

@@ -41,7 +41,7 @@ class ContourGeometryTest {
 		assertEquals(2 * Math.PI, g.tipAngle(), 0.015);
 		for (int i = 0; i < g.size(); i++) {
 			final boolean end = i < 6 || i >= g.size() - 6;
-			assertEquals(10 / radius, g.curvature()[i], (end ? 0.12 : 0.02) * 10 / radius);
+			assertEquals(10 / radius, g.curvature()[i], (end ? 0.12 : 0.03) * 10 / radius);
 		}
 	}
 

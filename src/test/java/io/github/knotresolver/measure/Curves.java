@@ -40,10 +40,20 @@ final class Curves {
 
 	/** Independent Gaussian errors of every point, in x and in y. */
 	static Polyline noisy(final Polyline p, final double sigma, final Random random) {
+		return noisy(p, sigma, 0, random);
+	}
+
+	/** Gaussian errors, neighbours' with correlation {@code memory}. */
+	static Polyline noisy(final Polyline p, final double sigma, final double memory,
+		final Random random) {
 		final double[] x = p.xs(), y = p.ys();
+		final double kick = Math.sqrt(1 - memory * memory);
+		double ex = random.nextGaussian(), ey = random.nextGaussian();
 		for (int i = 0; i < x.length; i++) {
-			x[i] += sigma * random.nextGaussian();
-			y[i] += sigma * random.nextGaussian();
+			x[i] += sigma * ex;
+			y[i] += sigma * ey;
+			ex = memory * ex + kick * random.nextGaussian();
+			ey = memory * ey + kick * random.nextGaussian();
 		}
 		return Polyline.of(x, y);
 	}

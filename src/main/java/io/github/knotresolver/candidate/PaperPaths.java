@@ -1,0 +1,99 @@
+package io.github.knotresolver.candidate;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.graph.Contact;
+import io.github.knotresolver.graph.FilamentDigraph;
+import io.github.knotresolver.graph.Label;
+import io.github.knotresolver.graph.Segment;
+import io.github.knotresolver.graph.SkeletonGraph;
+import io.github.knotresolver.graph.Step;
+import io.github.knotresolver.progress.Progress;
+
+/** The published path generation for one start vertex. */
+final class PaperPaths {
+
+	private final Step first;
+	private final FilamentDigraph digraph;
+	private final SimplePaths simple;
+	private final int perCombination;
+	private boolean limited;
+
+	PaperPaths(final SkeletonGraph graph, final Step first, final Optional<Segment> end,
+		final int perCombination) {
+		this.first = first;
+		this.perCombination = perCombination;
+		digraph = FilamentDigraph.of(graph, first.segment(), end);
+		simple = new SimplePaths(digraph.asGraph(), perCombination);
+	}
+
+	/** The walks, the template's own first. */
+	Set<List<Step>> walks(final Optional<Polyline> template, final int keyVertices,
+		final Progress progress) {
+		final Set<List<Contact>> paths = new LinkedHashSet<>();
+		final Optional<TemplateTrace> trace = template.map(t -> new TemplateTrace(digraph, t));
+		final List<Label> keys = trace.map(t -> t.keyLabels(keyVertices)).orElse(List.of());
+		for (final Label last : digraph.end().map(List::of).orElse(digraph.labels())) {
+			progress.checkCancelled();
+			paths.addAll(legal(simple.between(digraph.start(), last)));
+			for (final Label via : digraph.labels())
+				paths.addAll(combined(via, last));
+		}
+		final Set<List<Step>> walks = new LinkedHashSet<>();
+		trace.flatMap(TemplateTrace::roughPath).flatMap(p -> LabelWalk.steps(first, p))
+			.ifPresent(walks::add);
+		kept(paths, keys).forEach(p -> walks.add(LabelWalk.steps(first, p).orElseThrow()));
+		return walks;
+	}
+
+	/** Whether a limit was hit. */
+	boolean limited() {
+		return limited || simple.limited();
+	}
+
+	private List<List<Contact>> legal(final List<List<Contact>> paths) {
+		return paths.stream().filter(p -> LabelWalk.steps(first, p).isPresent()).toList();
+	}
+
+	/** Paths from the start over a vertex to the last. */
+	private List<List<Contact>> combined(final Label via, final Label last) {
+		final List<List<Contact>> found = new ArrayList<>();
+		if (via.id() == digraph.start().id() || via.id() == last.id())
+			return found;
+		for (final List<Contact> head : simple.between(digraph.start(), via))
+			for (final List<Contact> tail : simple.between(via, last)) {
+				final List<Contact> path = new ArrayList<>(head);
+				path.addAll(tail);
+				if (LabelWalk.steps(first, path).isEmpty())
+					continue;
+				if (found.size() == perCombination) {
+					limited = true;
+					return found;
+				}
+				found.add(path);
+			}
+		return found;
+	}
+
+	private List<List<Contact>> kept(final Set<List<Contact>> paths, final List<Label> keys) {
+		final List<List<Contact>> all = List.copyOf(paths);
+		final List<List<Contact>> passing = all.stream().filter(p -> visited(p).containsAll(keys))
+			.toList();
+		final List<List<Contact>> chosen = passing.isEmpty() ? all : passing;
+		if (digraph.end().isPresent())
+			return chosen;
+		final int most = chosen.stream().mapToInt(p -> visited(p).size()).max().orElse(0);
+		return chosen.stream().filter(p -> visited(p).size() == most).toList();
+	}
+
+	private Set<Label> visited(final List<Contact> path) {
+		final Set<Label> visited = new LinkedHashSet<>(List.of(digraph.start()));
+		path.forEach(c -> visited.add(c.to()));
+		return visited;
+	}
+}

@@ -1,0 +1,94 @@
+
+package io.github.knotresolver.graph;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+import org.jgrapht.Graph;
+import org.jgrapht.graph.AsUnmodifiableGraph;
+import org.jgrapht.graph.DirectedPseudograph;
+
+/**
+ * The directed graph of the published method: junctions are branch vertices
+ * V_b, segments are filament vertices V_f, and edges join a V_f to the V_b it
+ * touches, both ways, except that nothing enters the start vertex and nothing
+ * leaves the end vertex. A segment that touches the same junction twice (a loop
+ * of the filament) is joined to it by two pairs of edges, one for each of its
+ * ends.
+ */
+public final class FilamentDigraph {
+
+	private final List<Label> labels = new ArrayList<>();
+	private final Graph<Label, Contact> graph = new DirectedPseudograph<>(Contact.class);
+	private final int start;
+	private final int end;
+
+	private FilamentDigraph(final SkeletonGraph skeleton, final Segment start,
+		final Optional<Segment> end) {
+		final Label[] branch = new Label[skeleton.nodes().size()];
+		for (final Node n : skeleton.nodes())
+			if (!n.isFreeEnd()) {
+				branch[n.id()] = new Label(labels.size(), Optional.of(n), Optional.empty());
+				labels.add(branch[n.id()]);
+			}
+		final int firstFilament = labels.size();
+		this.start = firstFilament + start.id();
+		this.end = end.map(s -> firstFilament + s.id()).orElse(-1);
+		for (final Segment s : skeleton.segments())
+			labels.add(new Label(labels.size(), Optional.empty(), Optional.of(s)));
+		labels.forEach(graph::addVertex);
+		for (final Segment s : skeleton.segments()) {
+			final Label filament = labels.get(firstFilament + s.id());
+			touch(filament, branch[s.source().id()], true);
+			touch(filament, branch[s.target().id()], false);
+		}
+	}
+
+	/**
+	 * The digraph of a skeleton.
+	 *
+	 * @param skeleton its graph
+	 * @param start the segment in which every path begins
+	 * @param end the segment in which every path ends; empty if no end can be
+	 *          seen
+	 * @return the digraph
+	 */
+	public static FilamentDigraph of(final SkeletonGraph skeleton, final Segment start,
+		final Optional<Segment> end) {
+		return new FilamentDigraph(skeleton, start, end);
+	}
+
+	private void touch(final Label filament, final Label junction, final boolean atSource) {
+		if (junction == null)
+			return;
+		if (filament.id() != start)
+			connect(junction, filament, atSource);
+		if (filament.id() != end)
+			connect(filament, junction, atSource);
+	}
+
+	private void connect(final Label from, final Label to, final boolean atSource) {
+		graph.addEdge(from, to, new Contact(graph.edgeSet().size(), from, to, atSource));
+	}
+
+	/** @return all vertices: the branch vertices, then the filament vertices */
+	public List<Label> labels() {
+		return List.copyOf(labels);
+	}
+
+	/** @return the vertex in which every path begins */
+	public Label start() {
+		return labels.get(start);
+	}
+
+	/** @return the vertex in which every path ends, if there is one */
+	public Optional<Label> end() {
+		return end < 0 ? Optional.empty() : Optional.of(labels.get(end));
+	}
+
+	/** @return the same as a JGraphT graph that cannot be changed */
+	public Graph<Label, Contact> asGraph() {
+		return new AsUnmodifiableGraph<>(graph);
+	}
+}

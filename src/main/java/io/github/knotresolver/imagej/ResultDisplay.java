@@ -1,0 +1,73 @@
+package io.github.knotresolver.imagej;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+import ij.ImagePlus;
+import ij.gui.Overlay;
+import ij.gui.Roi;
+import ij.plugin.frame.RoiManager;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.track.TrackedFrame;
+
+/** Shows a result in ImageJ. The pixels of the image stay as they are. */
+public final class ResultDisplay {
+
+	/** Pieces of one colour along a contour. */
+	private static final int PIECES = 16;
+	private static final int LINKS = 8;
+
+	private final ImagePlus image;
+	private final Resolution resolution;
+	private final RoiConverter converter;
+
+	/**
+	 * @param image the image that was resolved
+	 * @param resolution the result
+	 * @param channel the 1-based channel that was resolved
+	 */
+	public ResultDisplay(final ImagePlus image, final Resolution resolution, final int channel) {
+		this.image = image;
+		this.resolution = resolution;
+		this.converter = RoiConverter.forImage(image, channel);
+	}
+
+	/**
+	 * Adds one polyline a frame, each at its frame's position.
+	 *
+	 * @param manager the ROI Manager
+	 */
+	public void fill(final RoiManager manager) {
+		converter.rois(resolution).forEach(manager::addRoi);
+	}
+
+	/**
+	 * Draws the contours over the image, coloured along their length, in place of
+	 * those of an earlier run; what else is in the overlay stays.
+	 */
+	public void overlay() {
+		final Overlay overlay = new Overlay();
+		if (image.getOverlay() != null)
+			for (final Roi roi : image.getOverlay())
+				if (roi.getName() == null || !roi.getName().startsWith(RoiConverter.PREFIX))
+					overlay.add(roi);
+		for (final TrackedFrame frame : resolution.frames())
+			frame.contour().ifPresent(c -> pieces(c, frame.frame()).forEach(overlay::add));
+		image.setOverlay(overlay);
+	}
+
+	private List<Roi> pieces(final Polyline contour, final int frame) {
+		final Polyline line = contour.divided(PIECES * LINKS);
+		final List<Roi> pieces = new ArrayList<>(PIECES);
+		for (int i = 0; i < PIECES; i++) {
+			final double[] x = Arrays.copyOfRange(line.xs(), i * LINKS, (i + 1) * LINKS + 1);
+			final double[] y = Arrays.copyOfRange(line.ys(), i * LINKS, (i + 1) * LINKS + 1);
+			final Roi roi = converter.roi(Polyline.of(x, y), frame);
+			roi.setStrokeColor(Palette.along((i + 0.5) / PIECES));
+			pieces.add(roi);
+		}
+		return pieces;
+	}
+}

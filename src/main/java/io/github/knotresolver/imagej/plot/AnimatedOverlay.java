@@ -1,0 +1,36 @@
+package io.github.knotresolver.imagej.plot;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+import ij.ImagePlus;
+import ij.plugin.filter.AVI_Writer;
+
+/** An overlay stack as a film that any player and slide show takes. */
+public final class AnimatedOverlay {
+
+	private static final int QUALITY = 85;
+
+	private AnimatedOverlay() {
+	}
+
+	/**
+	 * @param file the AVI file (JPEG frames) to write; replaced if it is there
+	 * @param overlay an RGB stack
+	 * @param framesPerSecond above 0 to 60
+	 * @throws IllegalArgumentException if the speed is out of range
+	 * @throws IOException if the disk says no
+	 */
+	public static void write(final Path file, final ImagePlus overlay, final double framesPerSecond)
+		throws IOException {
+		if (!(framesPerSecond > 0 && framesPerSecond <= 60))
+			throw new IllegalArgumentException(
+				"The speed must be above 0 and at most 60 frames per second, but is "
+					+ framesPerSecond + ".");
+		final ImagePlus film = overlay.duplicate();
+		film.getCalibration().fps = framesPerSecond;
+		Files.deleteIfExists(file);
+		new AVI_Writer().writeImage(film, file.toString(), AVI_Writer.JPEG_COMPRESSION, QUALITY);
+	}
+}

@@ -1,0 +1,86 @@
+package io.github.knotresolver.imagej.plot;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+
+import org.jfree.chart.JFreeChart;
+import org.jfree.chart.axis.NumberAxis;
+import org.jfree.chart.axis.ValueAxis;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.renderer.PaintScale;
+import org.jfree.chart.title.PaintScaleLegend;
+import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.chart.ui.RectangleInsets;
+
+/** One look for all charts: white, thin grey grid, print-sized letters. */
+final class ChartStyle {
+
+	/** The line of a single series. */
+	static final Color LINE = new Color(0x00, 0x72, 0xb2);
+	/** What stands out against {@link #LINE}. */
+	static final Color ACCENT = new Color(0xd5, 0x5e, 0x00);
+
+	private static final Font LABEL = new Font(Font.SANS_SERIF, Font.PLAIN, 18);
+	private static final Font TICK = new Font(Font.SANS_SERIF, Font.PLAIN, 15);
+	private static final Color GRID = new Color(0xe0, 0xe0, 0xe0);
+	private static final double BAR = 16;
+
+	private ChartStyle() {
+	}
+
+	/** @return an axis with a label; a unit is put in brackets */
+	static NumberAxis axis(final String label, final String unit) {
+		final NumberAxis axis = new NumberAxis(label(label, unit));
+		axis.setAutoRangeIncludesZero(false);
+		axis.setNumberFormatOverride(new TickFormat());
+		dress(axis);
+		return axis;
+	}
+
+	/** @return {@code label [unit]}, or the label alone */
+	static String label(final String label, final String unit) {
+		return unit.isEmpty() ? label : label + " [" + unit + "]";
+	}
+
+	private static void dress(final ValueAxis axis) {
+		axis.setLabelFont(LABEL);
+		axis.setTickLabelFont(TICK);
+		axis.setLabelPaint(Color.BLACK);
+		axis.setTickLabelPaint(Color.BLACK);
+		axis.setAxisLinePaint(Color.BLACK);
+		axis.setTickMarkPaint(Color.BLACK);
+	}
+
+	/** @return a chart of the plot, without title or legend */
+	static JFreeChart chart(final XYPlot plot) {
+		plot.setBackgroundPaint(Color.WHITE);
+		plot.setDomainGridlinePaint(GRID);
+		plot.setRangeGridlinePaint(GRID);
+		plot.setDomainGridlineStroke(new BasicStroke(1));
+		plot.setRangeGridlineStroke(new BasicStroke(1));
+		plot.setOutlinePaint(Color.BLACK);
+		plot.setAxisOffset(RectangleInsets.ZERO_INSETS);
+		final JFreeChart chart = new JFreeChart(null, LABEL, plot, false);
+		chart.setBackgroundPaint(Color.WHITE);
+		chart.setPadding(new RectangleInsets(10, 10, 10, 18));
+		return chart;
+	}
+
+	/** Puts a colour bar to the right. */
+	static void addColourBar(final JFreeChart chart, final PaintScale colours,
+		final NumberAxis axis) {
+		final PaintScaleLegend bar = new PaintScaleLegend(colours, axis);
+		bar.setPosition(RectangleEdge.RIGHT);
+		bar.setStripWidth(BAR);
+		bar.setSubdivisionCount(200);
+		bar.setStripOutlineVisible(false);
+		bar.setBackgroundPaint(Color.WHITE);
+		bar.setMargin(10, 14, 48, 0);
+		chart.addSubtitle(bar);
+	}
+
+	static Font font() {
+		return TICK;
+	}
+}

@@ -1,0 +1,71 @@
+
+package io.github.knotresolver.measure;
+
+import java.util.Collections;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+import io.github.knotresolver.geometry.Crossings;
+import io.github.knotresolver.geometry.Point;
+
+/**
+ * One frame, measured.
+ *
+ * @param frame 1-based number of the frame
+ * @param geometry the contour's geometry; empty if the frame has no contour
+ *          that can be measured
+ * @param turns whole turns (2π) to add to the contour's angles so that they go
+ *          on from the frame before
+ * @param quantities the values; empty without a contour
+ * @param crossings where the smoothed contour crosses itself, in pixels
+ */
+public record FrameMeasurement(int frame, Optional<ContourGeometry> geometry, int turns,
+	Map<Quantity, Estimate> quantities, List<Point> crossings) {
+
+	public FrameMeasurement {
+		quantities = quantities.isEmpty()
+			? Map.of()
+			: Collections.unmodifiableMap(new EnumMap<>(quantities));
+		crossings = List.copyOf(crossings);
+	}
+
+	/** A frame without contour. */
+	static FrameMeasurement missing(final int frame) {
+		return new FrameMeasurement(frame, Optional.empty(), 0, Map.of(), List.of());
+	}
+
+	/** A frame with its contour's geometry. */
+	static FrameMeasurement of(final int frame, final ContourGeometry g, final int turns,
+		final Rigidity rigidity) {
+		final List<Point> crossings = Crossings.of(g.smoothedPx());
+		final Map<Quantity, Estimate> q = new FrameQuantities(g).measured();
+		q.put(Quantity.TIP_ANGLE, new Estimate(g.tipAngle() + 2 * Math.PI * turns,
+			q.get(Quantity.TIP_ANGLE).standardError()));
+		q.put(Quantity.BENDING_ENERGY, g.bendingIntegral().times(rigidity.value()));
+		q.put(Quantity.CROSSINGS, new Estimate(crossings.size(), Double.NaN));
+		return new FrameMeasurement(frame, Optional.of(g), turns, q, crossings);
+	}
+
+	/** @return whether the frame has a contour */
+	public boolean isMeasured() {
+		return geometry.isPresent();
+	}
+
+	/**
+	 * @param quantity what
+	 * @return its value; missing without a contour
+	 */
+	public Estimate get(final Quantity quantity) {
+		return quantities.getOrDefault(quantity, Estimate.MISSING);
+	}
+
+	/** @return tangent angles, going on from the frame before; radians */
+	public double[] tangentAngle() {
+		final double[] angle = geometry.orElseThrow().tangentAngle();
+		for (int i = 0; i < angle.length; i++)
+			angle[i] += 2 * Math.PI * turns;
+		return angle;
+	}
+}

@@ -1,0 +1,200 @@
+
+package io.github.knotresolver.measure;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.progress.Progress;
+
+/**
+ * All frames of a movie, measured with one smoothing. Frames without a contour,
+ * or with one too short to be measured, are there but missing.
+ */
+public final class MovieMeasurements {
+
+	private final String name;
+	private final Calibration calibration;
+	private final Smoothing smoothing;
+	private final Rigidity rigidity;
+	private final List<FrameMeasurement> frames;
+
+	private MovieMeasurements(final String name, final Calibration calibration,
+		final Smoothing smoothing, final Rigidity rigidity, final List<FrameMeasurement> frames) {
+		this.name = name;
+		this.calibration = calibration;
+		this.smoothing = smoothing;
+		this.rigidity = rigidity;
+		this.frames = List.copyOf(frames);
+	}
+
+	/**
+	 * Measures with the smoothing derived from all contours together and without
+	 * a rigidity.
+	 *
+	 * @param name what the movie is called
+	 * @param contoursPx one entry a frame, in pixels, fixed end first; empty where
+	 *          there is no contour
+	 * @param c calibration
+	 * @return the measurements
+	 * @throws IllegalArgumentException if no frame can be measured
+	 */
+	public static MovieMeasurements of(final String name, final List<Optional<Polyline>> contoursPx,
+		final Calibration c) {
+		return of(name, contoursPx, c, Optional.empty(), Rigidity.UNKNOWN, Progress.NONE);
+	}
+
+	/**
+	 * Measures. The result does not depend on the number of threads.
+	 *
+	 * @param name what the movie is called
+	 * @param contoursPx one entry a frame, in pixels, fixed end first; empty where
+	 *          there is no contour
+	 * @param c calibration
+	 * @param wanted the smoothing; empty to derive it from all contours
+	 * @param rigidity for the bending energy
+	 * @param progress told how far it is
+	 * @return the measurements
+	 * @throws IllegalArgumentException if no frame can be measured, or the
+	 *           rigidity's unit does not fit the calibration's
+	 */
+	public static MovieMeasurements of(final String name, final List<Optional<Polyline>> contoursPx,
+		final Calibration c, final Optional<Smoothing> wanted, final Rigidity rigidity,
+		final Progress progress) {
+		requireContours(contoursPx);
+		rigidity.energyUnit(c);
+		final Smoothing smoothing = wanted.orElseGet(
+			() -> Smoothing.derivedFrom(contoursPx.stream().flatMap(Optional::stream).toList(), c));
+		progress.report("Measuring", 0);
+		final List<Optional<ContourGeometry>> geometries = IntStream.range(0, contoursPx.size())
+			.parallel().mapToObj(i -> {
+				progress.checkCancelled();
+				return contoursPx.get(i).filter(ContourGeometry::isMeasurable)
+					.map(p -> ContourGeometry.of(p, c, smoothing));
+			}).toList();
+		final int[] turns = Turns.between(geometries);
+		final List<FrameMeasurement> frames = IntStream.range(0, geometries.size()).parallel()
+			.mapToObj(
+				i -> geometries.get(i).map(g -> FrameMeasurement.of(i + 1, g, turns[i], rigidity))
+					.orElseGet(() -> FrameMeasurement.missing(i + 1)))
+			.toList();
+		progress.report("Measuring", 1);
+		return new MovieMeasurements(name, c, smoothing, rigidity, frames);
+	}
+
+	private static void requireContours(final List<Optional<Polyline>> contours) {
+		if (contours.isEmpty())
+			throw new IllegalArgumentException(
+				"There are no frames to measure; give a result with at least one frame.");
+		if (contours.stream().noneMatch(p -> p.filter(ContourGeometry::isMeasurable).isPresent()))
+			throw new IllegalArgumentException("None of the " + contours.size()
+				+ " frames has a contour of 3 points or more, so there is nothing to measure; resolve or correct at least one frame.");
+	}
+
+	/** @return what the movie is called */
+	public String name() {
+		return name;
+	}
+
+	/** @return units of length and time */
+	public Calibration calibration() {
+		return calibration;
+	}
+
+	/** @return the smoothing of all frames */
+	public Smoothing smoothing() {
+		return smoothing;
+	}
+
+	/** @return the rigidity of bending energies */
+	public Rigidity rigidity() {
+		return rigidity;
+	}
+
+	/** @return the frames in order; frame 1 first */
+	public List<FrameMeasurement> frames() {
+		return frames;
+	}
+
+	/** @return the frames that have a contour */
+	public List<FrameMeasurement> measured() {
+		return frames.stream().filter(FrameMeasurement::isMeasured).toList();
+	}
+
+	/** @return time of each frame in the unit of time; the first is 0 */
+	public double[] times() {
+		return IntStream.range(0, frames.size()).mapToDouble(i -> i * calibration.frameInterval())
+			.toArray();
+	}
+
+	/**
+	 * @param quantity what
+	 * @return its value in each frame; NaN where it is missing
+	 */
+	public double[] series(final Quantity quantity) {
+		return frames.stream().mapToDouble(f -> f.get(quantity).value()).toArray();
+	}
+
+	/**
+	 * @param quantity what
+	 * @return its standard error in each frame; NaN where it is missing
+	 */
+	public double[] errors(final Quantity quantity) {
+		return frames.stream().mapToDouble(f -> f.get(quantity).standardError()).toArray();
+	}
+
+	/**
+	 * @param quantity what
+	 * @return its unit; empty for a number
+	 */
+	public String unit(final Quantity quantity) {
+		return quantity.unit(calibration, rigidity);
+	}
+
+	/** @return unit of frequencies: {@code Hz}, or {@code 1/unit of time} */
+	public String frequencyUnit() {
+		return calibration.timeUnit().equals("s") ? "Hz" : "1/" + calibration.timeUnit();
+	}
+
+	/**
+	 * @param quantity what
+	 * @return its spectrum over time
+	 */
+	public Spectrum spectrum(final Quantity quantity) {
+		return Spectrum.of(series(quantity), calibration.frameInterval());
+	}
+
+	/**
+	 * @param quantity what
+	 * @return its dominant frequency; empty if there are too few values or they do
+	 *         not vary
+	 */
+	public Optional<DominantFrequency> dominantFrequency(final Quantity quantity) {
+		return DominantFrequency.of(series(quantity), calibration.frameInterval());
+	}
+
+	/** @return tangent angle over arc length and time, radians */
+	public Kymograph tangentAngleKymograph() {
+		return Kymograph.of(this, FrameMeasurement::tangentAngle);
+	}
+
+	/** @return curvature over arc length and time, 1/unit of length */
+	public Kymograph curvatureKymograph() {
+		return Kymograph.of(this, f -> f.geometry().orElseThrow().curvature());
+	}
+
+	/** Median spacing of the contours' points, in the unit of length. */
+	double spacing() {
+		final List<Double> steps = new ArrayList<>();
+		for (final FrameMeasurement f : measured()) {
+			final ContourGeometry g = f.geometry().orElseThrow();
+			steps.add(g.length() / (g.size() - 1));
+		}
+		final double[] sorted = steps.stream().mapToDouble(d -> d).sorted().toArray();
+		return Arrays.stream(sorted).skip(sorted.length / 2).findFirst().orElseThrow();
+	}
+}

@@ -1,0 +1,98 @@
+package io.github.knotresolver.pipeline;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+import io.github.knotresolver.candidate.CandidateGenerator;
+import io.github.knotresolver.candidate.PaperCandidates;
+import io.github.knotresolver.candidate.TrailCandidates;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.pipeline.Parameters.CandidateMethod;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.track.FitResolver;
+import io.github.knotresolver.track.FitResolver.Resolved;
+import io.github.knotresolver.track.FixedEndFinder;
+import io.github.knotresolver.track.FrameStatus;
+import io.github.knotresolver.track.FrameView;
+import io.github.knotresolver.track.TrackedFrame;
+
+/**
+ * The facade: a movie becomes one contour per frame. It walks the rooms in order:
+ * image, mask, skeleton, graph, candidate, contour, fit, track.
+ */
+public final class FilamentResolver {
+
+	private final Parameters parameters;
+
+	/**
+	 * @param parameters everything that decides the result
+	 */
+	public FilamentResolver(final Parameters parameters) {
+		this.parameters = parameters;
+	}
+
+	/**
+	 * Resolves a movie. The movie is only read.
+	 *
+	 * @param movie the movie
+	 * @param progress told how far the work is, and asked whether to stop
+	 * @return one row for every frame of the movie
+	 * @throws IllegalArgumentException if the movie or the parameters do not fit
+	 *           together, or no filament was found; the message says what to do
+	 * @throws io.github.knotresolver.progress.CancelledException if the user asked to
+	 *           stop
+	 */
+	public Resolution resolve(final Movie movie, final Progress progress) {
+		final List<Integer> wanted = new FrameChoice(movie, parameters).frames();
+		try (Workers workers = new Workers(parameters.threads())) {
+			return resolve(movie, wanted, workers, progress);
+		}
+	}
+
+	private Resolution resolve(final Movie movie, final List<Integer> wanted, final Workers workers,
+		final Progress progress) {
+		final FramePreparer preparer = new FramePreparer(movie, parameters);
+		progress.report("Segmenting", 0);
+		final List<FrameView> frames = workers.map(wanted.size(), i -> {
+			progress.checkCancelled();
+			return preparer.prepare(wanted.get(i));
+		});
+		final Point fixedEnd = parameters.fixedEnd()
+			.orElseGet(() -> new FixedEndFinder(frames, progress).find()
+				.orElseThrow(() -> nothingFound(movie)));
+		final Resolved resolved = new FitResolver(generator(), workers, progress)
+			.resolve(frames, fixedEnd, parameters.length(), parameters.corrections())
+			.orElseThrow(() -> nothingFound(movie));
+		return new Resolution(movie, parameters,
+			java.util.Optional.of(resolved.estimate().fixedEnd()), resolved.estimate().length(),
+			resolved.estimate().lengthError(), everyFrame(movie, resolved.frames()),
+			List.of(resolved.estimate().model().toString()));
+	}
+
+	private CandidateGenerator generator() {
+		return parameters.candidates() == CandidateMethod.PAPER
+			? PaperCandidates.DEFAULT
+			: TrailCandidates.DEFAULT;
+	}
+
+	private static List<TrackedFrame> everyFrame(final Movie movie,
+		final Collection<TrackedFrame> found) {
+		final Map<Integer, TrackedFrame> byFrame = new HashMap<>();
+		found.forEach(f -> byFrame.put(f.frame(), f));
+		final List<TrackedFrame> all = new ArrayList<>();
+		for (int frame = 1; frame <= movie.size(); frame++)
+			all.add(byFrame.getOrDefault(frame,
+				TrackedFrame.without(frame, FrameStatus.IGNORED, "Left out, as asked.")));
+		return all;
+	}
+
+	private static IllegalArgumentException nothingFound(final Movie movie) {
+		return new IllegalArgumentException("No filament was found in '" + movie.name()
+			+ "': no bright line stays together in any frame; check the channel, or set a threshold.");
+	}
+}

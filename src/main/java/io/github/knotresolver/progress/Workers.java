@@ -1,0 +1,72 @@
+package io.github.knotresolver.progress;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.function.IntFunction;
+
+/**
+ * Threads for work on many frames. Results come in the order of the tasks, so
+ * that they do not depend on the number of threads.
+ */
+public final class Workers implements AutoCloseable {
+
+	private final ExecutorService executor;
+
+	/**
+	 * @param threads number of threads, at least 1
+	 */
+	public Workers(final int threads) {
+		executor = Executors.newFixedThreadPool(threads, work -> {
+			final Thread thread = new Thread(work, "KnotResolver worker");
+			thread.setDaemon(true);
+			return thread;
+		});
+	}
+
+	/**
+	 * Does a task for each of 0..count-1.
+	 *
+	 * @param <T> what a task gives
+	 * @param count number of tasks
+	 * @param task gives the result for an index
+	 * @return the results in order
+	 * @throws CancelledException if the thread was interrupted
+	 */
+	public <T> List<T> map(final int count, final IntFunction<T> task) {
+		final List<Callable<T>> tasks = new ArrayList<>();
+		for (int i = 0; i < count; i++) {
+			final int index = i;
+			tasks.add(() -> task.apply(index));
+		}
+		return run(tasks);
+	}
+
+	private <T> List<T> run(final List<Callable<T>> tasks) {
+		try {
+			final List<T> results = new ArrayList<>();
+			for (final Future<T> future : executor.invokeAll(tasks))
+				results.add(future.get());
+			return results;
+		} catch (final InterruptedException e) {
+			Thread.currentThread().interrupt();
+			throw new CancelledException();
+		} catch (final ExecutionException e) {
+			if (e.getCause() instanceof RuntimeException cause)
+				throw cause;
+			if (e.getCause() instanceof Error error)
+				throw error;
+			throw new IllegalStateException(e.getCause());
+		}
+	}
+
+	/** Stops the threads; work that goes on is interrupted. */
+	@Override
+	public void close() {
+		executor.shutdownNow();
+	}
+}

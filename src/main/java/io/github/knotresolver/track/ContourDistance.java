@@ -1,0 +1,100 @@
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+
+import io.github.knotresolver.contour.DynamicTimeWarping;
+import io.github.knotresolver.contour.EqualArcDistance;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.progress.Progress;
+
+/**
+ * How far contours of neighbouring frames are apart, as an edge price of the trellis:
+ * half the normalised dynamic time warping (the same place) and half the mean distance at
+ * equal arc length (the same material). Contours are sampled every 4 px. For pairs whose
+ * equal-arc distance is hopeless it stands in for the warping as well: it is no less, and
+ * much faster. Distances are taken in units of how far the filament typically moves
+ * from frame to frame, so that a long frame interval does not drown the contours' own
+ * prices. All prices are computed once, at construction: O(frames * contours² *
+ * length²).
+ */
+public final class ContourDistance implements EdgePrice {
+
+	/** Spacing of the compared points (pixels). */
+	private static final double STEP = 4;
+
+	/** Pairs are warped up to this much (pixels) beyond the nearest one's distance. */
+	private static final double HOPELESS = 12;
+
+	/** Motion below this (pixels) is noise of the skeleton. */
+	private static final double NOISE = 1;
+
+	private final double weight;
+	private final double[][][] fromFrame;
+
+	/**
+	 * Computes the prices.
+	 *
+	 * @param contours for each frame its contours, in pixels, the most likely first; none
+	 *          in frames that are skipped
+	 * @param weight price of moving as far as is typical (at least 1 px), at least 0
+	 * @param executor computes frames in parallel; empty for the calling thread
+	 * @param progress asked whether to stop
+	 */
+	public ContourDistance(final List<List<Polyline>> contours, final double weight,
+		final Optional<ExecutorService> executor, final Progress progress) {
+		if (!(weight >= 0))
+			throw new IllegalArgumentException(
+				"The weight of the distance must be at least 0, but is " + weight + ".");
+		final List<List<Polyline>> sampled = contours.stream()
+			.map(frame -> frame.stream().map(c -> c.every(STEP)).toList()).toList();
+		final List<Callable<double[][]>> tasks = new ArrayList<>();
+		for (int t = 0; t < sampled.size(); t++) {
+			final List<Polyline> from = sampled.get(t), to = next(sampled, t);
+			tasks.add(() -> distances(from, to, progress));
+		}
+		fromFrame = FrameTasks.run(tasks, executor).toArray(double[][][]::new);
+		this.weight = weight / typical();
+	}
+
+	/** Median distance of the most likely contours of neighbouring frames. */
+	private double typical() {
+		final double[] moved = Arrays.stream(fromFrame).filter(m -> m.length > 0 && m[0].length > 0)
+			.mapToDouble(m -> m[0][0]).sorted().toArray();
+		return moved.length == 0 ? NOISE : Math.max(NOISE, moved[moved.length / 2]);
+	}
+
+	/**
+	 * The price of one pair; neighbours only, frames without contours skipped.
+	 */
+	@Override
+	public double between(final int from, final int fromContour, final int to,
+		final int toContour) {
+		return weight * fromFrame[from][fromContour][toContour];
+	}
+
+	private static List<Polyline> next(final List<List<Polyline>> frames, final int t) {
+		return frames.subList(t + 1, frames.size()).stream().filter(f -> !f.isEmpty()).findFirst()
+			.orElse(List.of());
+	}
+
+	private static double[][] distances(final List<Polyline> from, final List<Polyline> to,
+		final Progress progress) {
+		final double[][] matrix = new double[from.size()][to.size()];
+		for (int i = 0; i < matrix.length; i++) {
+			progress.checkCancelled();
+			for (int j = 0; j < to.size(); j++)
+				matrix[i][j] = EqualArcDistance.meanOfSampled(from.get(i), to.get(j));
+			final double hopeless = Arrays.stream(matrix[i]).min().orElse(0) + HOPELESS;
+			for (int j = 0; j < to.size(); j++)
+				if (matrix[i][j] <= hopeless)
+					matrix[i][j] = 0.5
+						* (matrix[i][j] + DynamicTimeWarping.normalised(from.get(i), to.get(j)));
+		}
+		return matrix;
+	}
+}

@@ -1,0 +1,129 @@
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
+
+import io.github.knotresolver.candidate.CandidateGenerator;
+import io.github.knotresolver.candidate.CandidateQuery;
+import io.github.knotresolver.candidate.CandidateSet;
+import io.github.knotresolver.fit.FilamentEstimate;
+import io.github.knotresolver.fit.FilamentEstimator;
+import io.github.knotresolver.fit.FilamentEstimator.Sighting;
+import io.github.knotresolver.fit.FilamentFitter;
+import io.github.knotresolver.fit.Fit;
+import io.github.knotresolver.fit.FitSettings;
+import io.github.knotresolver.fit.NormalizedFrame;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
+
+/**
+ * Our method: the graph proposes, the fit decides, the trellis settles. Line and
+ * length are learned from the clearest frames; hypotheses are carried through the
+ * movie in both directions of time, joined in every frame by fits of the graph's
+ * candidates; the cheapest path through all fits of all frames is the movie.
+ */
+public final class FitResolver {
+
+	/** Number of hypotheses that are carried along. */
+	private static final int WIDTH = 3;
+
+	private final CandidateGenerator generator;
+	private final Workers workers;
+	private final Progress progress;
+
+	/**
+	 * @param generator proposes contours
+	 * @param workers threads
+	 * @param progress told how far the work is, and asked whether to stop
+	 */
+	public FitResolver(final CandidateGenerator generator, final Workers workers,
+		final Progress progress) {
+		this.generator = generator;
+		this.workers = workers;
+		this.progress = progress;
+	}
+
+	/**
+	 * What was found.
+	 *
+	 * @param estimate line, length and fixed end
+	 * @param frames one for each frame asked for, in the same order
+	 */
+	public record Resolved(FilamentEstimate estimate, List<TrackedFrame> frames) {
+	}
+
+	/**
+	 * Resolves a movie.
+	 *
+	 * @param frames the frames to resolve, in order of time, at least one
+	 * @param fixedEnd the fixed end in pixels, to within a few
+	 * @param length the filament's length in pixels; empty to estimate it
+	 * @param corrections contours the user gave, by 1-based frame
+	 * @return one contour a frame; empty if there is no filament in any
+	 */
+	public Optional<Resolved> resolve(final List<FrameView> frames, final Point fixedEnd,
+		final OptionalDouble length, final Map<Integer, Polyline> corrections) {
+		final List<Sighting> sightings = Sightings.choose(frames,
+			candidates(frames, fixedEnd, OptionalDouble.empty()));
+		if (sightings.isEmpty())
+			return Optional.empty();
+		progress.report("Learning what the filament looks like", 0.4);
+		final FilamentEstimate learned = FilamentEstimator.estimate(sightings, progress);
+		final FilamentEstimate estimate = length.isPresent()
+			? learned.withLength(length.getAsDouble())
+			: learned;
+		final List<CandidateSet> sets = candidates(frames, fixedEnd,
+			OptionalDouble.of(estimate.length()));
+		final List<List<Fit>> pools = pools(frames, estimate, sets, corrections);
+		return Optional.of(new Resolved(estimate,
+			new FitTrellis(frames, estimate, pools, sets).solve(corrections.keySet(), progress)));
+	}
+
+	private List<CandidateSet> candidates(final List<FrameView> frames, final Point fixedEnd,
+		final OptionalDouble length) {
+		return workers.map(frames.size(), t -> generator
+			.generate(CandidateQuery.of(frames.get(t).graph(), fixedEnd, length), progress));
+	}
+
+	private List<List<Fit>> pools(final List<FrameView> frames, final FilamentEstimate estimate,
+		final List<CandidateSet> sets, final Map<Integer, Polyline> corrections) {
+		final int n = frames.size();
+		final List<NormalizedFrame> light = frames.stream()
+			.map(f -> f.light().rescaled(0, estimate.amplitude())).toList();
+		final IntFunction<FilamentFitter> fitters = t -> new FilamentFitter(light.get(t),
+			estimate.model(), FilamentEstimator.links(estimate.length()),
+			Optional.of(estimate.fixedEnd()), FitSettings.DEFAULT);
+		final FitProposals proposer = FitProposals.with(estimate);
+		progress.report("Fitting the graph's candidates", 0.5);
+		final List<List<Fit>> proposals = workers.map(n, t -> {
+			progress.checkCancelled();
+			final Polyline given = corrections.get(frames.get(t).frame());
+			return given == null
+				? proposer.of(sets.get(t), fitters.apply(t))
+				: proposer.of(given, fitters.apply(t));
+		});
+		progress.report("Following the filament forwards and backwards", 0.7);
+		final Propagation propagation = new Propagation(WIDTH, MotionPrice.DEFAULT, fitters,
+			proposals, progress);
+		final List<List<List<Fit>>> walks = workers.map(2, direction -> propagation
+			.walk(IntStream.range(0, n).map(i -> direction == 0 ? i : n - 1 - i).toArray()));
+		final List<List<Fit>> pools = new ArrayList<>();
+		for (int t = 0; t < n; t++) {
+			final FitPool pool = new FitPool();
+			proposals.get(t).forEach(pool::add);
+			if (!corrections.containsKey(frames.get(t).frame())) {
+				walks.get(0).get(t).forEach(pool::add);
+				walks.get(1).get(n - 1 - t).forEach(pool::add);
+			}
+			pools.add(pool.fits());
+		}
+		return pools;
+	}
+}

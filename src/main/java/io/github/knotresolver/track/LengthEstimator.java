@@ -1,0 +1,82 @@
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalDouble;
+
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.graph.SkeletonGraph;
+
+/**
+ * The filament's length from the frames in which it does not cross itself: the median
+ * of those that agree with each other. A filament does not stretch; frames in which it
+ * leaves the focus or folds onto itself are outliers.
+ */
+public final class LengthEstimator {
+
+	/** Fewer unbranched frames say nothing. */
+	private static final int FEWEST = 3;
+
+	/** An outlier is off by more than so many robust standard deviations ... */
+	private static final double DEVIATIONS = 3;
+
+	/** ... and by more than this share of the median. */
+	private static final double TOLERANCE = 0.03;
+
+	/** An unbranched skeleton ends this near (pixels) to the fixed end. */
+	private static final double NEAR = 12;
+
+	/** Makes the median absolute deviation a standard deviation of a normal law. */
+	private static final double MAD_TO_SD = 1.4826;
+
+	private LengthEstimator() {
+	}
+
+	/**
+	 * The length as skeletons show it: without the half width that thinning takes off
+	 * each end.
+	 *
+	 * @param frames the movie
+	 * @param fixedEnd the fixed end in pixels; skeletons that end nowhere near it do not
+	 *          count
+	 * @return the length in pixels; empty if fewer than three frames are unbranched
+	 */
+	public static OptionalDouble estimate(final List<FrameGraph> frames, final Point fixedEnd) {
+		final List<Double> lengths = new ArrayList<>();
+		for (final FrameGraph f : frames)
+			f.graph().filter(g -> g.isUnbranched() && endsNear(g, fixedEnd))
+				.ifPresent(g -> lengths.add(g.length()));
+		return lengths.size() < FEWEST
+			? OptionalDouble.empty()
+			: OptionalDouble
+				.of(robustMedian(lengths.stream().mapToDouble(Double::doubleValue).toArray()));
+	}
+
+	/**
+	 * The median of the values that are not outliers.
+	 *
+	 * @param values at least one
+	 * @return the median of those within three robust standard deviations, or 3 %, of the
+	 *         median of all
+	 */
+	static double robustMedian(final double[] values) {
+		final double median = median(values);
+		final double spread = MAD_TO_SD
+			* median(Arrays.stream(values).map(v -> Math.abs(v - median)).toArray());
+		final double tolerance = Math.max(DEVIATIONS * spread, TOLERANCE * median);
+		return median(
+			Arrays.stream(values).filter(v -> Math.abs(v - median) <= tolerance).toArray());
+	}
+
+	private static double median(final double[] values) {
+		final double[] sorted = values.clone();
+		Arrays.sort(sorted);
+		final int half = sorted.length / 2;
+		return sorted.length % 2 == 1 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
+	}
+
+	private static boolean endsNear(final SkeletonGraph graph, final Point fixedEnd) {
+		return graph.freeEnds().stream().anyMatch(n -> n.position().distanceTo(fixedEnd) <= NEAR);
+	}
+}

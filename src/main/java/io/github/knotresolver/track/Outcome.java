@@ -1,0 +1,33 @@
+package io.github.knotresolver.track;
+
+import java.util.Optional;
+
+import io.github.knotresolver.geometry.Polyline;
+
+/** What resolvers say about frames that are not simply resolved. */
+final class Outcome {
+
+	private Outcome() {
+	}
+
+	static TrackedFrame corrected(final FrameGraph frame, final Polyline contour) {
+		return new TrackedFrame(frame.frame(), FrameStatus.CORRECTED, "Given by the user.",
+			Optional.of(contour), frame.junctions(), 1, 0, 1);
+	}
+
+	static TrackedFrame lost(final FrameGraph frame) {
+		return TrackedFrame.without(frame.frame(), FrameStatus.LOST,
+			"No filament was found in this frame.");
+	}
+
+	static TrackedFrame withoutCandidates(final FrameGraph frame) {
+		return TrackedFrame.without(frame.frame(), FrameStatus.UNRESOLVED,
+			"The skeleton is too small to hold a contour.");
+	}
+
+	static String limitReason(final boolean limited) {
+		return limited
+			? "The search hit a limit: a better contour may have been missed; raise the limit."
+			: "";
+	}
+}

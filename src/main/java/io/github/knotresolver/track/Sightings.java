@@ -1,0 +1,78 @@
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+import io.github.knotresolver.candidate.Candidate;
+import io.github.knotresolver.candidate.CandidateSet;
+import io.github.knotresolver.contour.ContourBuilder;
+import io.github.knotresolver.fit.FilamentEstimator.Sighting;
+import io.github.knotresolver.geometry.Crossings;
+import io.github.knotresolver.geometry.Polyline;
+
+/**
+ * Chooses the frames in which the contour is beyond doubt, from which the line
+ * and the filament's length are learned: unbranched skeletons if there are some,
+ * else those whose best trail is cheapest and does not cross itself.
+ */
+final class Sightings {
+
+	/** So many frames are enough. */
+	private static final int MOST = 14;
+
+	/** Fewer unbranched skeletons are not relied on alone. */
+	private static final int FEWEST_SIMPLE = 3;
+
+	/** Contours shorter than this (pixels) are not looked at. */
+	private static final double SHORTEST = 12;
+
+	/**
+	 * A filament that hides a part of itself looks short, never long: the length that
+	 * this share of the frames does not reach is taken, ...
+	 */
+	private static final double QUANTILE = 0.8;
+
+	/** ... and frames that are within this (relative). */
+	private static final double TOLERANCE = 0.06;
+
+	private Sightings() {
+	}
+
+	private record Seen(FrameView frame, Polyline contour, double price) {
+	}
+
+	/**
+	 * @param frames the movie
+	 * @param sets the trails of each frame
+	 * @return the clearest frames, the clearest first; none if there is no contour at
+	 *         all
+	 */
+	static List<Sighting> choose(final List<FrameView> frames, final List<CandidateSet> sets) {
+		final List<Seen> seen = new ArrayList<>();
+		for (int t = 0; t < sets.size(); t++)
+			for (final Candidate best : sets.get(t).candidates().stream().limit(1).toList())
+				look(frames.get(t), best, seen);
+		if (seen.isEmpty())
+			return List.of();
+		final List<Seen> simple = seen.stream().filter(s -> s.frame.graph().isUnbranched())
+			.toList();
+		final List<Seen> from = simple.size() >= FEWEST_SIMPLE ? simple : seen;
+		final double[] lengths = from.stream().mapToDouble(s -> s.contour.length()).sorted()
+			.toArray();
+		final double length = lengths[(int) (lengths.length * QUANTILE)];
+		return from.stream().filter(s -> Math.abs(s.contour.length() / length - 1) < TOLERANCE)
+			.sorted(Comparator.comparingDouble(Seen::price)).limit(MOST)
+			.map(s -> new Sighting(s.frame.light(), s.contour)).toList();
+	}
+
+	private static void look(final FrameView frame, final Candidate best, final List<Seen> seen) {
+		final Polyline contour = ContourBuilder.smooth(best);
+		if (contour.size() < 2 || contour.length() < SHORTEST)
+			return;
+		// A doubtful contour is used only where there is none better.
+		final double doubt = best.price().overlap()
+			+ Crossings.of(contour).size() * contour.length();
+		seen.add(new Seen(frame, contour, best.price().total() + doubt));
+	}
+}

@@ -1,0 +1,156 @@
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.TreeSet;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+
+import io.github.knotresolver.candidate.CandidateGenerator;
+import io.github.knotresolver.candidate.CandidateQuery;
+import io.github.knotresolver.contour.EqualArcDistance;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.progress.Progress;
+
+/**
+ * Our method: the candidates of all frames are the vertices of a {@link Trellis}, and
+ * the cheapest path through it is the movie. The price of a vertex is the candidate's
+ * own, that of an edge {@link ContourDistance}. The whole movie decides together,
+ * forwards and backwards in time: a knotted first frame resolves itself, and a bad frame
+ * cannot lead the following ones astray. Corrections are constraints.
+ * <p>
+ * A length that is neither told nor seen in unbranched frames is found by trying a few
+ * and keeping the cheapest movie. A frame's confidence is 1 - exp(-gap / 10 px), where
+ * gap is how much dearer the movie becomes if the frame takes a contour that differs
+ * visibly.
+ *
+ * @param generator proposes contours
+ * @param motion price of moving as far as is typical between frames, at least 0
+ * @param executor runs frames in parallel; empty to use the calling thread; the result
+ *          is the same
+ */
+public record TrellisResolver(CandidateGenerator generator, double motion,
+	Optional<ExecutorService> executor) implements Resolver {
+
+	/** Price of typical motion that has been found to work. */
+	public static final double DEFAULT_MOTION = 8;
+
+	/** A gap of this price (pixels) gives a confidence of 63 %. */
+	private static final double GAP_SCALE = 10;
+
+	/** Contours nearer than this (pixels, at equal arc length) do not differ visibly. */
+	private static final double VISIBLE = 2.5;
+
+	/** Quantiles of the single frames' guesses that are tried as the length. */
+	private static final double[] QUANTILES = {0.1, 0.3, 0.5, 0.7, 0.9};
+
+	/**
+	 * The default weights, in the calling thread.
+	 *
+	 * @param generator proposes contours
+	 */
+	public TrellisResolver(final CandidateGenerator generator) {
+		this(generator, DEFAULT_MOTION, Optional.empty());
+	}
+
+	private record Solution(List<FrameCandidates> columns, TrellisPath path,
+		OptionalDouble length) {
+	}
+
+	@Override
+	public Track resolve(final ResolverQuery query, final Progress progress) {
+		OptionalDouble length = query.length();
+		if (length.isEmpty())
+			length = LengthEstimator.estimate(query.frames(), query.fixedEnd());
+		final Solution best = length.isPresent()
+			? solve(query, length, progress)
+			: tryLengths(query, progress);
+		final List<TrackedFrame> frames = new ArrayList<>();
+		for (int t = 0; t < query.frames().size(); t++)
+			frames.add(tracked(query, best, t));
+		return new Track(frames, best.length);
+	}
+
+	private Solution tryLengths(final ResolverQuery query, final Progress progress) {
+		Solution best = solve(query, OptionalDouble.empty(), progress);
+		final TreeSet<Double> lengths = guesses(best);
+		double cheapest = Double.POSITIVE_INFINITY;
+		for (final double length : lengths) {
+			final Solution s = solve(query, OptionalDouble.of(length), progress);
+			if (s.path.total() < cheapest) {
+				cheapest = s.path.total();
+				best = s;
+			}
+		}
+		return best;
+	}
+
+	private static TreeSet<Double> guesses(final Solution unknown) {
+		final double[] lengths = unknown.columns.stream().filter(c -> !c.contours().isEmpty())
+			.mapToDouble(c -> c.contours().get(0).length()).sorted().toArray();
+		final TreeSet<Double> guesses = new TreeSet<>();
+		if (lengths.length > 0)
+			for (final double q : QUANTILES)
+				guesses.add(lengths[(int) Math.rint(q * (lengths.length - 1))]);
+		guesses.remove(0.0);
+		return guesses;
+	}
+
+	private Solution solve(final ResolverQuery query, final OptionalDouble length,
+		final Progress progress) {
+		final List<Callable<FrameCandidates>> tasks = new ArrayList<>();
+		for (final FrameGraph frame : query.frames())
+			tasks.add(() -> column(query, frame, length, progress));
+		final List<FrameCandidates> columns = FrameTasks.run(tasks, executor);
+		progress.report("Resolving", 0.5);
+		final ContourDistance distance = new ContourDistance(
+			columns.stream().map(FrameCandidates::contours).toList(), motion, executor, progress);
+		return new Solution(columns, Trellis
+			.solve(columns.stream().map(FrameCandidates::priceArray).toList(), distance, progress),
+			length);
+	}
+
+	private FrameCandidates column(final ResolverQuery query, final FrameGraph frame,
+		final OptionalDouble length, final Progress progress) {
+		final Polyline correction = query.corrections().get(frame.frame());
+		if (correction != null)
+			return FrameCandidates.only(correction);
+		return frame.graph()
+			.map(g -> FrameCandidates
+				.of(generator.generate(CandidateQuery.of(g, query.fixedEnd(), length), progress)))
+			.orElse(FrameCandidates.NONE);
+	}
+
+	private static TrackedFrame tracked(final ResolverQuery query, final Solution solution,
+		final int t) {
+		final FrameGraph frame = query.frames().get(t);
+		final FrameCandidates column = solution.columns.get(t);
+		if (query.corrections().containsKey(frame.frame()))
+			return Outcome.corrected(frame, column.contours().get(0));
+		if (frame.graph().isEmpty())
+			return Outcome.lost(frame);
+		if (column.contours().isEmpty())
+			return Outcome.withoutCandidates(frame);
+		final int chosen = solution.path.choice()[t];
+		return new TrackedFrame(frame.frame(), FrameStatus.RESOLVED,
+			Outcome.limitReason(column.limited()), Optional.of(column.contours().get(chosen)),
+			frame.junctions(), column.contours().size(), column.prices().get(chosen),
+			confidence(solution, t, chosen));
+	}
+
+	private static double confidence(final Solution solution, final int t, final int chosen) {
+		final List<Polyline> contours = solution.columns.get(t).contours();
+		double second = Double.POSITIVE_INFINITY;
+		for (int v = 0; v < contours.size(); v++)
+			if (differ(contours.get(v), contours.get(chosen)))
+				second = Math.min(second, solution.path.through()[t][v]);
+		return 1 - Math.exp(-Math.max(0, second - solution.path.total()) / GAP_SCALE);
+	}
+
+	private static boolean differ(final Polyline a, final Polyline b) {
+		return Math.abs(a.length() - b.length()) > 2 * VISIBLE
+			|| EqualArcDistance.mean(a, b) > VISIBLE;
+	}
+}

@@ -1,0 +1,137 @@
+package io.github.knotresolver.imagej;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.GraphicsEnvironment;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.zip.ZipInputStream;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import ij.IJ;
+import ij.ImagePlus;
+import ij.gui.Overlay;
+import ij.gui.PointRoi;
+import ij.gui.Roi;
+import ij.io.RoiDecoder;
+import ij.measure.ResultsTable;
+import ij.plugin.frame.RoiManager;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.io.InputOptions;
+import io.github.knotresolver.io.MeasuredResolution;
+import io.github.knotresolver.pipeline.Parameters;
+import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.progress.Progress;
+
+class ResultDisplayTest {
+
+	private final ImagePlus image = TestImages.movie(4, 8);
+	private final Movie movie = ImageMovie.of(image, InputOptions.DEFAULT);
+	private final Resolution resolution = TestImages.resolve(movie, Parameters.DEFAULT,
+		Progress.NONE);
+
+	@TempDir
+	Path home;
+
+	@Test
+	void roiIsSubPixelHalfAPixelOffWithNameAndPosition() throws IOException {
+		final List<Roi> rois = RoiConverter.forStack(4).rois(resolution);
+		assertEquals(List.of("knot-0001", "knot-0003", "knot-0004"),
+			rois.stream().map(Roi::getName).toList());
+		final Path file = home.resolve("RoiSet.zip");
+		RoiSetWriter.write(file, rois);
+		final byte[] first = Files.readAllBytes(file);
+		RoiSetWriter.write(file, rois);
+		assertTrue(Arrays.equals(first, Files.readAllBytes(file)));
+		final List<Roi> read = read(file);
+		assertEquals(3, read.size());
+		final Roi roi = read.get(1);
+		assertEquals("knot-0003", roi.getName());
+		assertEquals(3, roi.getPosition());
+		final var points = roi.getFloatPolygon();
+		final var contour = resolution.frames().get(2).contour().get();
+		assertEquals(contour.size(), points.npoints);
+		for (int i = 0; i < points.npoints; i++) {
+			assertEquals(contour.x(i) + 0.5, points.xpoints[i], 1e-4);
+			assertEquals(contour.y(i) + 0.5, points.ypoints[i], 1e-4);
+		}
+	}
+
+	@Test
+	void roiOfAChannelHasThePositionOfTheHyperstack() {
+		final ImagePlus two = IJ.createHyperStack("two", 80, 60, 2, 1, 4, 8);
+		final Roi roi = RoiConverter.forImage(two, 2).rois(resolution).get(1);
+		assertEquals(List.of(2, 1, 3),
+			List.of(roi.getCPosition(), roi.getZPosition(), roi.getTPosition()));
+		final Roi decoded = RoiDecoder.openFromByteArray(ij.io.RoiEncoder.saveAsByteArray(roi));
+		assertEquals(3, decoded.getTPosition());
+	}
+
+	@Test
+	void managerGetsOneRoiAFrame() {
+		assumeFalse(GraphicsEnvironment.isHeadless(), "ImageJ's ROI Manager needs a display.");
+		final RoiManager manager = new RoiManager(false);
+		new ResultDisplay(image, resolution, 1).fill(manager);
+		assertEquals(3, manager.getCount());
+		assertEquals("knot-0004", manager.getRoi(2).getName());
+		assertEquals(4, manager.getRoi(2).getPosition());
+	}
+
+	@Test
+	void overlayReplacesTheEarlierOneAndLeavesPixelsAndOtherShapes() {
+		final byte[] before = ((byte[]) image.getStack().getPixels(1)).clone();
+		image.setOverlay(new Overlay(new Roi(1, 1, 5, 5)));
+		new ResultDisplay(image, resolution, 1).overlay();
+		final int once = image.getOverlay().size();
+		new ResultDisplay(image, resolution, 1).overlay();
+		assertEquals(once, image.getOverlay().size());
+		assertEquals(1 + 3 * 16, once);
+		assertEquals(1, image.getOverlay().get(1).getPosition());
+		assertTrue(Arrays.equals(before, (byte[]) image.getStack().getPixels(1)));
+	}
+
+	@Test
+	void tablesHaveUnitsAndARowForEveryFrame() {
+		final ContourTables tables = new ContourTables("movie",
+			MeasuredResolution.of(resolution, Progress.NONE));
+		final ResultsTable frames = tables.frames();
+		assertEquals(4, frames.size());
+		assertEquals("lost", frames.getStringValue("status", 1));
+		assertEquals(2, frames.getValue("time [s]", 1));
+		assertTrue(Double.isNaN(frames.getValue("length [µm]", 1)));
+		assertEquals(20, frames.getValue("length [µm]", 0), 0.5);
+		final ResultsTable contours = tables.contours();
+		assertEquals(3 * 101, contours.size());
+		assertEquals(12, contours.getValue("x [px]", 0));
+		assertEquals(3, contours.getValue("x [µm]", 0));
+		assertTrue(contours.columnExists("curvature [1/µm]"));
+	}
+
+	@Test
+	void pointSelectionIsAPixelCentre() {
+		assertEquals(Optional.of(new Point(12, 30)), RoiConverter.point(new PointRoi(12.5, 30.5)));
+		assertEquals(Optional.of(new Point(12.25, 30)),
+			RoiConverter.point(new PointRoi(12.75, 30.5)));
+		assertEquals(Optional.empty(), RoiConverter.point(new Roi(1, 2, 3, 4)));
+		assertEquals(Optional.empty(), RoiConverter.point(null));
+	}
+
+	private static List<Roi> read(final Path zip) throws IOException {
+		final List<Roi> rois = new ArrayList<>();
+		try (ZipInputStream in = new ZipInputStream(Files.newInputStream(zip))) {
+			while (in.getNextEntry() != null)
+				rois.add(RoiDecoder.openFromByteArray(in.readAllBytes()));
+		}
+		return rois;
+	}
+}

@@ -1,0 +1,180 @@
+package io.github.knotresolver.io;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+
+import net.imglib2.img.array.ArrayImgs;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.track.FrameStatus;
+import io.github.knotresolver.track.TrackedFrame;
+
+class ResultFilesTest {
+
+	private static final Calibration CALIBRATION = new Calibration(0.5, "µm", 2, "s");
+
+	@TempDir
+	Path home;
+
+	@Test
+	void everyFileHasItsColumnsAndUnits() throws IOException {
+		final Resolution resolution = resolution(RunOptions.parse(Map.of()));
+		final MeasuredResolution result = MeasuredResolution.of(resolution, Progress.NONE);
+		ContoursCsv.write(home.resolve("c"), result);
+		FramesCsv.write(home.resolve("f"), result);
+		OriginalFiles.writeContours(home.resolve("m"), result);
+
+		final List<String> contours = Files.readAllLines(home.resolve("c"));
+		assertEquals("frame,index,x_px,y_px,x,y,arc_length,tangent_angle,curvature,unit",
+			contours.get(0));
+		assertEquals("1,0,2.000,5.000,1,2.5,0,0,0,µm", contours.get(1));
+		assertEquals("1,20,22.000,5.000,11,2.5,10,0,0,µm", contours.get(21));
+		assertEquals("3,0,2.000,5.000,1,2.5,0,0.927295,0,µm", contours.get(22));
+		final List<String> rows = Files.readAllLines(home.resolve("f"));
+		assertEquals(
+			"frame,status,reason,length,end_to_end,tip_angle,junctions,crossings,candidates,cost,confidence,unit",
+			rows.get(0));
+		assertEquals("1,resolved,,10,10,0,2,0,5,1.25,0.875,µm", rows.get(1));
+		assertEquals("2,lost,\"Gone, it seems.\",,,,0,0,0,,,µm", rows.get(2));
+		assertEquals("3,corrected,,10,10,0.927295,2,0,5,1.25,0.875,µm", rows.get(3));
+		assertEquals("1,3.000,6.000", Files.readAllLines(home.resolve("m")).get(0));
+		assertTrue(!Files.readString(home.resolve("f")).contains("\r"));
+	}
+
+	@Test
+	void summaryIsOneRow() throws IOException {
+		final Resolution resolution = resolution(
+			RunOptions.parse(Map.of("fixed_end", "2,5", "length", "10")));
+		SummaryCsv.write(home.resolve("s"), MeasuredResolution.of(resolution, Progress.NONE),
+			InputOptions.DEFAULT);
+		final List<String> rows = Files.readAllLines(home.resolve("s"));
+		assertEquals(2, rows.size());
+		assertTrue(rows.get(1).startsWith("a movie.tif,3,2,10,10,0,10,10,µm,,,,Hz,"), rows.get(1));
+		assertTrue(rows.get(1).endsWith(
+			",\"fixed_end=2.0,5.0 threshold=otsu iterations=10 contraction_bias=0.4 smooth_factor=0.2 candidates=trails resolver=movie length=10.0 length_model=constant refine=true channel=1 z_as_time=false pixel_size=0.5 unit=µm frame_interval=2.0\""),
+			rows.get(1));
+	}
+
+	@Test
+	void optionsOfTheParametersFileRepeatTheRun() throws IOException {
+		final Map<String, String> texts = Map.ofEntries(Map.entry("fixed_end", "2,5"),
+			Map.entry("threshold", "0.3"), Map.entry("iterations", "7"),
+			Map.entry("contraction_bias", "-0.5"), Map.entry("smooth_factor", "1"),
+			Map.entry("log_size", "9"), Map.entry("log_sigma", "1.5"),
+			Map.entry("candidates", "paper"), Map.entry("resolver", "paper"),
+			Map.entry("length", "6"), Map.entry("length_model", "free"),
+			Map.entry("refine", "false"), Map.entry("frames", "1-3"),
+			Map.entry("ignore_frames", "2"));
+		final Resolution resolution = resolution(RunOptions.parse(texts));
+		ParametersJson.write(home.resolve("p"), resolution, InputOptions.DEFAULT);
+		final JsonObject json = JsonParser.parseString(Files.readString(home.resolve("p")))
+			.getAsJsonObject();
+		final Map<String, String> read = new TreeMap<>();
+		json.getAsJsonObject("options").entrySet().forEach(
+			e -> read.put(e.getKey(), e.getValue().isJsonNull() ? "" : e.getValue().getAsString()));
+		assertEquals(resolution.parameters(),
+			RunOptions.parse(read).parameters(resolution.movie()));
+		assertEquals("KnotResolver", json.get("program").getAsString());
+		assertEquals("2.000,5.000", json.getAsJsonObject("found").get("fixed_end").getAsString());
+	}
+
+	@Test
+	void statisticsHaveTheOriginalsFormat() throws IOException {
+		final MeasuredResolution result = MeasuredResolution
+			.of(resolution(RunOptions.parse(Map.of())), Progress.NONE);
+		OriginalFiles.writeStatistics(home.resolve("s"), result);
+		assertEquals("""
+			Statistics Summary
+			------------------
+			Scaling Factor: 0.50000
+			Time Step: 2.00
+			Distance ignored from end (microns): 0.00
+			Dominant Frequency (Hz): NaN
+
+			Mean Length, Median Length, Std Length, Min Length, Max Length
+			10.00, 10.00, 0.00, 10.00, 10.00
+			Frame, Length (micron), Tip Angle, Tip Angle (smooth), EndToEndDistance (micron)
+			1, 10.000, 0.000, 0.000, 10.000
+			3, 10.000, -53.130, -53.130, 10.000
+			""", Files.readString(home.resolve("s")));
+	}
+
+	@Test
+	void contoursAreReadBack() throws IOException {
+		final Resolution resolution = resolution(RunOptions.parse(Map.of()));
+		final Path file = home.resolve("c.csv");
+		ContoursCsv.write(file, MeasuredResolution.of(resolution, Progress.NONE));
+		final Map<Integer, Polyline> read = ContoursCsv.read(file);
+		assertEquals(List.of(1, 3), List.copyOf(read.keySet()));
+		final Polyline written = resolution.frames().get(2).contour().get();
+		assertEquals(written.size(), read.get(3).size());
+		for (int i = 0; i < written.size(); i++)
+			assertEquals(0, written.point(i).distanceTo(read.get(3).point(i)), 1e-3);
+	}
+
+	@ParameterizedTest
+	@CsvSource(delimiter = '|', value = {"frame,x,y;1,2,3|columns frame,index,x_px,y_px",
+		"frame,index,x_px,y_px;1,0,2|line 2, has 3 columns",
+		"frame,index,x_px,y_px;1,0,2,b|line 2: y_px must be a number",
+		"frame,index,x_px,y_px;0,0,2,3|line 2: frame must be a whole number from 1",
+		"frame,index,x_px,y_px;1,0,2,3;1,0,4,5|line 3: frame 1 has two points with index 0"})
+	void correctionsThatAreWrongAreRefusedWithTheirLine(final String text, final String sentence)
+		throws IOException {
+		final Path file = Files.writeString(home.resolve("c.csv"), text.replace(';', '\n'));
+		final String message = assertThrows(IllegalArgumentException.class,
+			() -> ContoursCsv.read(file)).getMessage();
+		assertTrue(message.contains(sentence), message);
+	}
+
+	@ParameterizedTest
+	@CsvSource({"0.1234567, 0.123457", "1234567.8, 1234570", "-0.00001234567, -0.0000123457",
+		"2, 2", "0, 0", "NaN, ''", "1e-12, 0", "-3.4e20, -3.4E+20", "100, 100"})
+	void numbersHaveSixDigits(final double value, final String text) {
+		assertEquals(text, NumberText.significant(value));
+	}
+
+	/** Frame 1 along x, frame 2 lost, frame 3 along y and corrected. */
+	private static Resolution resolution(final RunOptions options) {
+		final Movie movie = new Movie("a movie.tif", ArrayImgs.unsignedBytes(40, 40, 3),
+			CALIBRATION);
+		return new Resolution(movie, options.parameters(movie), Optional.of(new Point(2, 5)), 20,
+			0.1,
+			List.of(frame(1, FrameStatus.RESOLVED, 1, 0),
+				TrackedFrame.without(2, FrameStatus.LOST, "Gone, it seems."),
+				frame(3, FrameStatus.CORRECTED, 0.6, 0.8)),
+			List.of());
+	}
+
+	private static TrackedFrame frame(final int number, final FrameStatus status, final double dx,
+		final double dy) {
+		final double[] x = new double[21], y = new double[21];
+		for (int i = 0; i <= 20; i++) {
+			x[i] = 2 + dx * i;
+			y[i] = 5 + dy * i;
+		}
+		return new TrackedFrame(number, status, "", Optional.of(Polyline.of(x, y)), 2, 5, 1.25,
+			0.875);
+	}
+}
