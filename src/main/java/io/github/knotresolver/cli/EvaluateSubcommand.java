@@ -14,6 +14,7 @@ import io.github.knotresolver.evaluate.EvaluationSummary;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.EvaluationCsv;
+import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -39,22 +40,22 @@ final class EvaluateSubcommand implements Callable<Integer> {
 	@Option(names = "--out", paramLabel = "FILE.csv", description = "Write the scores of every frame to this file.")
 	private Path out;
 
-	@Override
-	public Integer call() throws IOException {
-		final ConsoleProgress progress = new ConsoleProgress(spec.commandLine().getErr());
-		final Interruption interruption = Interruption.listen(progress::cancel);
-		try {
-			final Evaluation evaluation = evaluate(progress);
-			if (out != null)
-				EvaluationCsv.write(out, evaluation);
-			report(evaluation, spec.commandLine().getOut());
-			return ExitStatus.FINISHED;
-		} finally {
-			interruption.finished();
-		}
+	private final Progress progress;
+
+	EvaluateSubcommand(final Progress progress) {
+		this.progress = progress;
 	}
 
-	private Evaluation evaluate(final ConsoleProgress progress) {
+	@Override
+	public Integer call() throws IOException {
+		final Evaluation evaluation = evaluate();
+		if (out != null)
+			EvaluationCsv.write(out, evaluation);
+		report(evaluation, spec.commandLine().getOut());
+		return ExitStatus.FINISHED;
+	}
+
+	private Evaluation evaluate() {
 		try {
 			final SortedMap<Integer, Polyline> expected = ContoursCsv.read(truth);
 			final SortedMap<Integer, Polyline> contours = ContoursCsv.read(result);

@@ -28,6 +28,15 @@ public final class KnotResolverMain implements Runnable {
 	}
 
 	/**
+	 * The program.
+	 *
+	 * @param args the arguments
+	 */
+	public static void main(final String[] args) {
+		start(Engine.PIPELINE, args);
+	}
+
+	/**
 	 * Runs the program as a process: it ends with its exit status, and cleans up
 	 * when the user presses Ctrl-C.
 	 *
@@ -59,7 +68,8 @@ public final class KnotResolverMain implements Runnable {
 		System.setProperty("java.awt.headless", "true");
 		final CommandLine line = new CommandLine(new KnotResolverMain())
 			.addSubcommand(new ResolveSubcommand(engine, progress))
-			.addSubcommand(new SimulateSubcommand()).addSubcommand(new EvaluateSubcommand())
+			.addSubcommand(new SimulateSubcommand(progress))
+			.addSubcommand(new EvaluateSubcommand(progress))
 			.setCaseInsensitiveEnumValuesAllowed(true);
 		line.setOut(out).setErr(err);
 		line.setParameterExceptionHandler((e, a) -> refuse(err, e));

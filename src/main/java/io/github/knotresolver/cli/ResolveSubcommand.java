@@ -15,6 +15,7 @@ import io.github.knotresolver.imagej.ResultWriter;
 import io.github.knotresolver.io.MeasuredResolution;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.RunOptions;
+import io.github.knotresolver.io.RunReport;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -80,7 +81,8 @@ final class ResolveSubcommand implements Callable<Integer> {
 			.of(engine.resolve(input, parameters, progress), progress);
 		new ResultWriter(result, run.input()).write(out, force, plots, progress);
 		final PrintWriter stdout = spec.commandLine().getOut();
-		RunReport.lines(result, out).forEach(stdout::println);
+		RunReport.lines(result).forEach(stdout::println);
+		stdout.println("Result: " + out + " (look at montage.png first).");
 	}
 
 	private Movie load(final RunOptions run) {

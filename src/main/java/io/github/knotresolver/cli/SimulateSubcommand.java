@@ -12,6 +12,7 @@ import io.github.knotresolver.io.ParametersJson;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.SimulationJson;
 import io.github.knotresolver.io.TruthCsv;
+import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.simulate.BitDepth;
 import io.github.knotresolver.simulate.Canvas;
 import io.github.knotresolver.simulate.FilamentSimulator;
@@ -48,19 +49,19 @@ final class SimulateSubcommand implements Callable<Integer> {
 	@Mixin
 	private RenderOptions rendering;
 
-	@Override
-	public Integer call() throws IOException {
-		final ConsoleProgress progress = new ConsoleProgress(spec.commandLine().getErr());
-		final Interruption interruption = Interruption.listen(progress::cancel);
-		try {
-			simulate(progress);
-			return ExitStatus.FINISHED;
-		} finally {
-			interruption.finished();
-		}
+	private final Progress progress;
+
+	SimulateSubcommand(final Progress progress) {
+		this.progress = progress;
 	}
 
-	private void simulate(final ConsoleProgress progress) throws IOException {
+	@Override
+	public Integer call() throws IOException {
+		simulate();
+		return ExitStatus.FINISHED;
+	}
+
+	private void simulate() throws IOException {
 		final SimulationParameters parameters;
 		final FrameRenderer renderer;
 		final BitDepth depth;

@@ -1,6 +1,7 @@
 package io.github.knotresolver.imagej;
 
 import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.pipeline.FilamentResolver;
 import io.github.knotresolver.pipeline.Parameters;
 import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.Progress;
@@ -8,6 +9,10 @@ import io.github.knotresolver.progress.Progress;
 /** What turns a movie into a result: the pipeline, for those who show it. */
 @FunctionalInterface
 public interface Engine {
+
+	/** The program's own. */
+	Engine PIPELINE = (movie, parameters, progress) -> new FilamentResolver(parameters)
+		.resolve(movie, progress);
 
 	/**
 	 * @param movie the movie

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import javax.imageio.ImageIO;
 
 import ij.io.FileSaver;
+import io.github.knotresolver.imagej.plot.Figures;
 import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.FramesCsv;
 import io.github.knotresolver.io.InputOptions;
@@ -16,6 +17,7 @@ import io.github.knotresolver.io.OriginalFiles;
 import io.github.knotresolver.io.ParametersJson;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.SummaryCsv;
+import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.Progress;
 
@@ -41,7 +43,8 @@ public final class ResultWriter {
 	 *
 	 * @param out the wanted folder
 	 * @param overwrite whether an earlier result may be replaced
-	 * @param plots whether pictures and plots are written
+	 * @param plots whether plots and projections are written as well; tables, ROIs,
+	 *          overlay, montage and kymographs always are
 	 * @param progress may cancel; nothing is left then
 	 * @throws IllegalArgumentException if the folder may not be written, in one
 	 *           sentence
@@ -80,6 +83,13 @@ public final class ResultWriter {
 		progress.checkCancelled();
 		if (plots)
 			writePng(folder.resolve("overlay.png"), OverlayRenderer.projection(resolution));
+		if (result.measurements().isEmpty())
+			return;
+		final MovieMeasurements measurements = result.measurements().get();
+		if (plots)
+			Figures.writeAll(folder, measurements, progress);
+		else
+			Figures.writeKymographs(folder, measurements);
 	}
 
 	private static void writePng(final Path file, final RenderedImage picture) throws IOException {

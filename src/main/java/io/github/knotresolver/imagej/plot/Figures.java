@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 
 import org.jfree.chart.ChartUtils;
@@ -132,9 +133,21 @@ public final class Figures {
 	}
 
 	private static String svg(final JFreeChart chart, final int width, final int height) {
-		final SVGGraphics2D graphics = new SVGGraphics2D(width, height);
-		graphics.setDefsKeyPrefix("knotresolver");
+		final SVGGraphics2D graphics = graphics(width, height);
 		chart.draw(graphics, new Rectangle2D.Double(0, 0, width, height));
 		return graphics.getSVGDocument();
+	}
+
+	/** JFreeSVG takes its digits from the locale at construction. */
+	private static synchronized SVGGraphics2D graphics(final int width, final int height) {
+		final Locale before = Locale.getDefault(Locale.Category.FORMAT);
+		Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT);
+		try {
+			final SVGGraphics2D graphics = new SVGGraphics2D(width, height);
+			graphics.setDefsKeyPrefix("knotresolver");
+			return graphics;
+		} finally {
+			Locale.setDefault(Locale.Category.FORMAT, before);
+		}
 	}
 }

@@ -1,30 +1,24 @@
-package io.github.knotresolver.cli;
+package io.github.knotresolver.io;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
 
-import io.github.knotresolver.io.FrameSelection;
-import io.github.knotresolver.io.LengthStatistics;
-import io.github.knotresolver.io.MeasuredResolution;
-import io.github.knotresolver.io.NumberText;
 import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.track.FrameStatus;
 
-/** The short summary on standard output. */
-final class RunReport {
+/** A result in a few lines, for people. */
+public final class RunReport {
 
 	private RunReport() {
 	}
 
 	/**
 	 * @param result a measured result
-	 * @param out where it was written
 	 * @return a few lines
 	 */
-	static List<String> lines(final MeasuredResolution result, final Path out) {
+	public static List<String> lines(final MeasuredResolution result) {
 		final Resolution resolution = result.resolution();
 		final List<String> lines = new ArrayList<>();
 		final LengthStatistics s = LengthStatistics.of(result.frames());
@@ -43,7 +37,6 @@ final class RunReport {
 					+ " (frames.csv says why).");
 		}
 		lines.addAll(resolution.notes());
-		lines.add("Result: " + out + " (look at montage.png first).");
 		return lines;
 	}
 }

@@ -1,0 +1,155 @@
+package io.github.knotresolver.command;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ExecutionException;
+
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.scijava.Context;
+import org.scijava.command.CommandInfo;
+import org.scijava.command.CommandService;
+import org.scijava.log.LogLevel;
+import org.scijava.log.LogService;
+import org.scijava.module.Module;
+import org.scijava.module.ModuleItem;
+import org.scijava.module.ModuleService;
+
+import ij.ImagePlus;
+import ij.gui.PointRoi;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.imagej.TestImages;
+import io.github.knotresolver.io.RunOptions;
+import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.progress.CancelledException;
+
+/** The Command as scripts call it. */
+class ResolveFilamentCommandTest {
+
+	@TempDir
+	Path home;
+	private Context context;
+
+	@BeforeEach
+	void start() {
+		context = new Context(CommandService.class, ModuleService.class, LogService.class);
+		context.service(LogService.class).setLevel(LogLevel.NONE);
+	}
+
+	@AfterEach
+	void stop() {
+		context.dispose();
+	}
+
+	@Test
+	void isFoundHasNoMenuAndItsKeysAreTheOptions() {
+		final CommandInfo info = context.service(CommandService.class)
+			.getCommand(ResolveFilamentCommand.class);
+		assertNotNull(info);
+		assertTrue(info.getMenuPath().isEmpty());
+		assertTrue(info.getAnnotation().attrs().length == 1 && info.is("no-legacy"));
+		for (final String key : RunOptions.KEYS)
+			assertNotNull(info.getInput(key), key);
+		for (final ModuleItem<?> input : info.inputs())
+			assertFalse(input.isPersisted() && RunOptions.KEYS.contains(input.getName()),
+				input.getName());
+	}
+
+	@Test
+	void resolvesAFileIntoAFolder() throws Exception {
+		final Path file = TestImages.save(TestImages.movie(4, 16), home.resolve("m.tif"));
+		final Path out = home.resolve("out");
+		final Module module = run(Map.of("movie", file.toFile(), "out", out.toFile(), "threshold",
+			"0.3", "frames", "1-3"));
+		assertFalse(((ResolveFilamentCommand) module.getDelegateObject()).isCanceled());
+		final Resolution resolution = (Resolution) module.getOutput("resolution");
+		assertEquals(0.3, resolution.parameters().segmentation().threshold().getAsDouble());
+		assertEquals(3, resolution.parameters().frames().size());
+		assertTrue(Files.exists(out.resolve("contours.csv")));
+	}
+
+	@Test
+	void takesTheImageAndItsPointSelectionAndChangesNothing() throws Exception {
+		final ImagePlus image = TestImages.movie(4, 8);
+		image.setRoi(new PointRoi(12.5, 30.5));
+		final byte[] before = ((byte[]) image.getStack().getPixels(2)).clone();
+		final Resolution resolution = (Resolution) run(Map.of("image", image))
+			.getOutput("resolution");
+		assertEquals(Optional.of(new Point(12, 30)), resolution.parameters().fixedEnd());
+		assertEquals("µm", resolution.movie().calibration().unit());
+		assertTrue(Arrays.equals(before, (byte[]) image.getStack().getPixels(2)));
+		assertNull(image.getOverlay());
+	}
+
+	@Test
+	void defaultsAreTheCommandLines() throws Exception {
+		final Resolution resolution = (Resolution) run(Map.of("image", TestImages.movie(4, 8)))
+			.getOutput("resolution");
+		assertEquals(RunOptions.parse(Map.of()).parameters(resolution.movie()),
+			resolution.parameters());
+	}
+
+	@Test
+	void wrongValuesCancelWithTheSentence() throws Exception {
+		final ImagePlus image = TestImages.movie(4, 8);
+		assertRefused("threshold must be a number from 0 to 1",
+			Map.of("image", image, "threshold", "1.5"));
+		assertRefused("candidates must be paper or trails",
+			Map.of("image", image, "candidates", "all"));
+		assertRefused("iterations must be from 0 to 1000",
+			Map.of("image", image, "iterations", 5000));
+		assertRefused("There is no image open", Map.of());
+		assertRefused("There is no file", Map.of("movie", home.resolve("absent.tif").toFile()));
+		assertRefused("not a result",
+			Map.of("image", image, "out",
+				Files.writeString(Files.createDirectory(home.resolve("mine")).resolve("a.txt"), "x")
+					.getParent().toFile()));
+	}
+
+	@Test
+	void cancelLeavesNothing() throws Exception {
+		final Module module = run(
+			Map.of("image", TestImages.movie(4, 8), "out", home.resolve("out").toFile()),
+			(m, p, progress) -> {
+				throw new CancelledException();
+			});
+		assertTrue(((ResolveFilamentCommand) module.getDelegateObject()).isCanceled());
+		assertFalse(Files.exists(home.resolve("out")));
+	}
+
+	private void assertRefused(final String sentence, final Map<String, Object> inputs)
+		throws Exception {
+		final ResolveFilamentCommand command = (ResolveFilamentCommand) run(inputs)
+			.getDelegateObject();
+		assertTrue(command.isCanceled());
+		assertTrue(command.getCancelReason().contains(sentence), command.getCancelReason());
+	}
+
+	private Module run(final Map<String, Object> inputs)
+		throws InterruptedException, ExecutionException {
+		return run(inputs, TestImages::resolve);
+	}
+
+	private Module run(final Map<String, Object> inputs,
+		final io.github.knotresolver.imagej.Engine engine)
+		throws InterruptedException, ExecutionException {
+		final CommandInfo info = context.service(CommandService.class)
+			.getCommand(ResolveFilamentCommand.class);
+		final ModuleService modules = context.service(ModuleService.class);
+		final Module module = modules.createModule(info);
+		((ResolveFilamentCommand) module.getDelegateObject()).setEngine(engine);
+		return modules.waitFor(modules.run(module, true, new HashMap<>(inputs)));
+	}
+}
