@@ -22,6 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 import io.github.knotresolver.geometry.Crossings;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.io.ContoursCsv;
+import io.github.knotresolver.progress.Progress;
 
 /** The sample movie is knotted, small, and what its script makes. */
 class SampleTest {
@@ -53,8 +54,8 @@ class SampleTest {
 		final StringWriter err = new StringWriter();
 		assertEquals(0, KnotResolverMain.run((movie, parameters, progress) -> {
 			throw new IllegalStateException("nothing is resolved here");
-		}, new PrintWriter(new StringWriter()), new PrintWriter(err), args.toArray(String[]::new)),
-			err.toString());
+		}, Progress.NONE, new PrintWriter(new StringWriter()), new PrintWriter(err),
+			args.toArray(String[]::new)), err.toString());
 		assertArrayEquals(resource("knotted-filament-truth.csv"),
 			Files.readAllBytes(folder.resolve("made/contours.csv")));
 		assertArrayEquals(resource("knotted-filament.tif"),

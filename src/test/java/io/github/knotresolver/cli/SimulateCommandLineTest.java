@@ -28,6 +28,7 @@ import ij.IJ;
 import ij.ImagePlus;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.io.ContoursCsv;
+import io.github.knotresolver.progress.Progress;
 
 /** {@code simulate} and {@code evaluate} as a user types them. */
 class SimulateCommandLineTest {
@@ -48,7 +49,7 @@ class SimulateCommandLineTest {
 		final StringWriter stdout = new StringWriter(), stderr = new StringWriter();
 		final int status = KnotResolverMain.run((movie, parameters, progress) -> {
 			throw new IllegalStateException("nothing is resolved here");
-		}, new PrintWriter(stdout), new PrintWriter(stderr), args);
+		}, Progress.NONE, new PrintWriter(stdout), new PrintWriter(stderr), args);
 		return new Run(status, stdout.toString(), stderr.toString());
 	}
 
