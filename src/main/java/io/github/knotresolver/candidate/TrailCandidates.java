@@ -3,6 +3,7 @@ package io.github.knotresolver.candidate;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.Set;
 
 import org.jgrapht.alg.connectivity.ConnectivityInspector;
@@ -55,11 +56,21 @@ public record TrailCandidates(int limit, int beam, int maxUses,
 	public CandidateSet generate(final CandidateQuery query, final Progress progress) {
 		final RootedGraph rooted = RootedGraph.of(query.graph(), query.fixedEnd());
 		final SkeletonGraph graph = rooted.graph();
-		final TrailPricing pricing = new TrailPricing(prices, query.length(), reachable(rooted));
+		final TrailPricing pricing = new TrailPricing(prices, visibleLength(rooted, query),
+			reachable(rooted));
 		final TrailSearch search = new TrailSearch(graph, pricing, maxUses, beam,
 			limit * RAW_PER_CANDIDATE);
 		final List<Candidate> raw = search.run(beginnings(rooted, query), progress);
 		return new CandidateSet(different(raw), search.limited());
+	}
+
+	/** The known length less what the skeleton does not show at the fixed end. */
+	private static OptionalDouble visibleLength(final RootedGraph rooted,
+		final CandidateQuery query) {
+		if (query.length().isEmpty())
+			return query.length();
+		final double length = query.length().getAsDouble();
+		return OptionalDouble.of(Math.max(length / 2, length - rooted.hidden(query.fixedEnd())));
 	}
 
 	private static List<Trail> beginnings(final RootedGraph rooted, final CandidateQuery query) {

@@ -2,6 +2,7 @@ package io.github.knotresolver.fit;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -41,16 +42,18 @@ public final class FilamentEstimator {
 
 	/**
 	 * @param sightings at least one; those that are clearest first
+	 * @param kinds how strands may add up; the kind that explains the sightings best is
+	 *          taken
 	 * @param progress asked whether to stop
 	 * @return what they say together
 	 */
 	public static FilamentEstimate estimate(final List<Sighting> sightings,
-		final Progress progress) {
+		final Collection<LineModel.Kind> kinds, final Progress progress) {
 		final List<Example> seen = new ArrayList<>();
 		for (final Sighting s : sightings)
 			seen.add(new Example(s.frame,
 				Chain.along(s.contour, links(s.contour.length()), s.contour.length())));
-		return Arrays.stream(LineModel.Kind.values()).map(kind -> learn(seen, kind, progress))
+		return kinds.stream().map(kind -> learn(seen, kind, progress))
 			.min(Comparator.comparingDouble(l -> l.line.residual())).map(Learned::summary)
 			.orElseThrow();
 	}

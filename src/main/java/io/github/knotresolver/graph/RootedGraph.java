@@ -31,6 +31,9 @@ public record RootedGraph(SkeletonGraph graph, List<Node> roots) {
 	/** A node this near (pixels) is not split off once more. */
 	private static final double SAME = 2;
 
+	/** Thinning takes no more than this (pixels) off an end. */
+	private static final double HALF_WIDTH = 5;
+
 	public RootedGraph {
 		roots = List.copyOf(roots);
 	}
@@ -59,6 +62,20 @@ public record RootedGraph(SkeletonGraph graph, List<Node> roots) {
 		return existing.isPresent()
 			? rooted(graph, existing.get(), near)
 			: divided(graph, place, near);
+	}
+
+	/**
+	 * How much of the filament thinning has taken off at the fixed end: a skeleton ends
+	 * about half a width before the filament does.
+	 *
+	 * @param fixedEnd the fixed end in pixels
+	 * @return distance from the fixed end to the first root in pixels, at most 5; 0 if that
+	 *         is no free end
+	 */
+	public double hidden(final Point fixedEnd) {
+		return roots.isEmpty() || !roots.get(0).isFreeEnd()
+			? 0
+			: Math.min(HALF_WIDTH, roots.get(0).position().distanceTo(fixedEnd));
 	}
 
 	private static RootedGraph rooted(final SkeletonGraph graph, final Node first,

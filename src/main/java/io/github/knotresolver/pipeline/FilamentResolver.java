@@ -65,7 +65,8 @@ public final class FilamentResolver {
 		final Point fixedEnd = parameters.fixedEnd()
 			.orElseGet(() -> new FixedEndFinder(frames, progress).find()
 				.orElseThrow(() -> nothingFound(movie)));
-		final Resolved resolved = new FitResolver(generator(), workers, progress)
+		final Resolved resolved = new FitResolver(generator(), Clipping.of(movie, wanted).kinds(),
+			workers, progress)
 			.resolve(frames, fixedEnd, parameters.length(), parameters.corrections())
 			.orElseThrow(() -> nothingFound(movie));
 		return new Resolution(movie, parameters,

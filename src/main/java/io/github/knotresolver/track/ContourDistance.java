@@ -19,8 +19,9 @@ import io.github.knotresolver.progress.Progress;
  * equal-arc distance is hopeless it stands in for the warping as well: it is no less, and
  * much faster. Distances are taken in units of how far the filament typically moves
  * from frame to frame, so that a long frame interval does not drown the contours' own
- * prices. All prices are computed once, at construction: O(frames * contours² *
- * length²).
+ * prices, and they count logarithmically when they are large (5 log(1 + d/5)): one jump
+ * must not force its neighbours. All prices are computed once, at construction:
+ * O(frames * contours² * length²).
  */
 public final class ContourDistance implements EdgePrice {
 
@@ -33,7 +34,11 @@ public final class ContourDistance implements EdgePrice {
 	/** Motion below this (pixels) is noise of the skeleton. */
 	private static final double NOISE = 1;
 
+	/** From so many typical motions on, a longer jump is hardly worse than a shorter. */
+	private static final double JUMP = 5;
+
 	private final double weight;
+	private final double typical;
 	private final double[][][] fromFrame;
 
 	/**
@@ -58,13 +63,14 @@ public final class ContourDistance implements EdgePrice {
 			tasks.add(() -> distances(from, to, progress));
 		}
 		fromFrame = FrameTasks.run(tasks, executor).toArray(double[][][]::new);
-		this.weight = weight / typical();
+		this.weight = weight;
+		typical = typical();
 	}
 
-	/** Median distance of the most likely contours of neighbouring frames. */
+	/** Median distance of the most likely contour of a frame to the nearest of the next. */
 	private double typical() {
 		final double[] moved = Arrays.stream(fromFrame).filter(m -> m.length > 0 && m[0].length > 0)
-			.mapToDouble(m -> m[0][0]).sorted().toArray();
+			.mapToDouble(m -> Arrays.stream(m[0]).min().orElseThrow()).sorted().toArray();
 		return moved.length == 0 ? NOISE : Math.max(NOISE, moved[moved.length / 2]);
 	}
 
@@ -74,7 +80,8 @@ public final class ContourDistance implements EdgePrice {
 	@Override
 	public double between(final int from, final int fromContour, final int to,
 		final int toContour) {
-		return weight * fromFrame[from][fromContour][toContour];
+		return weight * JUMP
+			* Math.log1p(fromFrame[from][fromContour][toContour] / (typical * JUMP));
 	}
 
 	private static List<Polyline> next(final List<List<Polyline>> frames, final int t) {

@@ -1,10 +1,12 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
@@ -17,6 +19,7 @@ import io.github.knotresolver.fit.FilamentEstimator.Sighting;
 import io.github.knotresolver.fit.FilamentFitter;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitSettings;
+import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
@@ -35,17 +38,20 @@ public final class FitResolver {
 	private static final int WIDTH = 3;
 
 	private final CandidateGenerator generator;
+	private final Set<LineModel.Kind> kinds;
 	private final Workers workers;
 	private final Progress progress;
 
 	/**
 	 * @param generator proposes contours
+	 * @param kinds how strands may add up in this movie, at least one
 	 * @param workers threads
 	 * @param progress told how far the work is, and asked whether to stop
 	 */
-	public FitResolver(final CandidateGenerator generator, final Workers workers,
-		final Progress progress) {
+	public FitResolver(final CandidateGenerator generator, final Set<LineModel.Kind> kinds,
+		final Workers workers, final Progress progress) {
 		this.generator = generator;
+		this.kinds = EnumSet.copyOf(kinds);
 		this.workers = workers;
 		this.progress = progress;
 	}
@@ -75,7 +81,7 @@ public final class FitResolver {
 		if (sightings.isEmpty())
 			return Optional.empty();
 		progress.report("Learning what the filament looks like", 0.4);
-		final FilamentEstimate learned = FilamentEstimator.estimate(sightings, progress);
+		final FilamentEstimate learned = FilamentEstimator.estimate(sightings, kinds, progress);
 		final FilamentEstimate estimate = length.isPresent()
 			? learned.withLength(length.getAsDouble())
 			: learned;

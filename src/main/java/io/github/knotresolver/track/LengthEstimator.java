@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.graph.RootedGraph;
 import io.github.knotresolver.graph.SkeletonGraph;
 
 /**
@@ -34,8 +35,7 @@ public final class LengthEstimator {
 	}
 
 	/**
-	 * The length as skeletons show it: without the half width that thinning takes off
-	 * each end.
+	 * The length of the skeletons and of what thinning takes off their ends.
 	 *
 	 * @param frames the movie
 	 * @param fixedEnd the fixed end in pixels; skeletons that end nowhere near it do not
@@ -46,11 +46,19 @@ public final class LengthEstimator {
 		final List<Double> lengths = new ArrayList<>();
 		for (final FrameGraph f : frames)
 			f.graph().filter(g -> g.isUnbranched() && endsNear(g, fixedEnd))
-				.ifPresent(g -> lengths.add(g.length()));
+				.ifPresent(g -> lengths.add(g.length() + hidden(g, fixedEnd)));
 		return lengths.size() < FEWEST
 			? OptionalDouble.empty()
 			: OptionalDouble
 				.of(robustMedian(lengths.stream().mapToDouble(Double::doubleValue).toArray()));
+	}
+
+	/**
+	 * What thinning takes off both ends of the filament: at the tip as much as at the fixed
+	 * end, where it can be seen.
+	 */
+	static double hidden(final SkeletonGraph graph, final Point fixedEnd) {
+		return 2 * RootedGraph.of(graph, fixedEnd).hidden(fixedEnd);
 	}
 
 	/**

@@ -7,6 +7,7 @@ import java.util.OptionalDouble;
 import java.util.TreeSet;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutorService;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.candidate.CandidateGenerator;
 import io.github.knotresolver.candidate.CandidateQuery;
@@ -35,7 +36,7 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 	Optional<ExecutorService> executor) implements Resolver {
 
 	/** Price of typical motion that has been found to work. */
-	public static final double DEFAULT_MOTION = 8;
+	public static final double DEFAULT_MOTION = 16;
 
 	/** A gap of this price (pixels) gives a confidence of 63 %. */
 	private static final double GAP_SCALE = 10;
@@ -75,7 +76,7 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 
 	private Solution tryLengths(final ResolverQuery query, final Progress progress) {
 		Solution best = solve(query, OptionalDouble.empty(), progress);
-		final TreeSet<Double> lengths = guesses(best);
+		final TreeSet<Double> lengths = guesses(query, best);
 		double cheapest = Double.POSITIVE_INFINITY;
 		for (final double length : lengths) {
 			final Solution s = solve(query, OptionalDouble.of(length), progress);
@@ -87,9 +88,13 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 		return best;
 	}
 
-	private static TreeSet<Double> guesses(final Solution unknown) {
-		final double[] lengths = unknown.columns.stream().filter(c -> !c.contours().isEmpty())
-			.mapToDouble(c -> c.contours().get(0).length()).sorted().toArray();
+	private static TreeSet<Double> guesses(final ResolverQuery query, final Solution unknown) {
+		final double[] lengths = IntStream.range(0, query.frames().size())
+			.filter(t -> query.frames().get(t).graph().isPresent()
+				&& !unknown.columns.get(t).contours().isEmpty())
+			.mapToDouble(t -> unknown.columns.get(t).contours().get(0).length() + LengthEstimator
+				.hidden(query.frames().get(t).graph().orElseThrow(), query.fixedEnd()))
+			.sorted().toArray();
 		final TreeSet<Double> guesses = new TreeSet<>();
 		if (lengths.length > 0)
 			for (final double q : QUANTILES)

@@ -52,12 +52,17 @@ class TrailCandidatesTest {
 
 	private static void assertFollows(final Polyline truth, final Candidate candidate,
 		final double tolerance) {
+		assertFollows(truth, candidate, tolerance, "");
+	}
+
+	private static void assertFollows(final Polyline truth, final Candidate candidate,
+		final double tolerance, final String what) {
 		final Polyline path = candidate.path();
 		assertEquals(truth.length(), path.length(), 0.05 * truth.length());
 		for (double f = 0; f <= 1; f += 0.05) {
 			final Point p = truth.at(f * truth.length()), q = path.at(f * path.length());
 			assertTrue(p.distanceTo(q) <= tolerance,
-				"at " + f + " of the length " + q + " should be " + p);
+				what + " at " + f + " of the length " + q + " should be " + p);
 		}
 	}
 
@@ -160,18 +165,26 @@ class TrailCandidatesTest {
 		assertTrue(best.path().last().distanceTo(truth.last()) < 2);
 	}
 
-	@Test
-	void crossingIsCrossedStraight() {
-		final Polyline truth = Drawn.line(10, 60, 80, 60, 100, 40, 80, 20, 60, 40, 60, 95);
+	@ParameterizedTest
+	@CsvSource({"95, crosses the stem", "75, just passes it", "60, lies on it"})
+	void loopIsWalkedStraightThroughItsCrossing(final double tip, final String what) {
+		final Polyline truth = loop(tip);
 		assertFollows(truth,
-			trails(drawn(truth), truth.first(), truth.length()).candidates().get(0), 5);
+			trails(drawn(truth), truth.first(), truth.length()).candidates().get(0), 5,
+			"the tip " + what);
+	}
+
+	/** A stem to the right, a loop above it, and the tip coming down at x = 60. */
+	private static Polyline loop(final double tip) {
+		return Drawn.line(10, 60, 80, 60, 100, 40, 80, 20, 60, 40, 60, tip);
 	}
 
 	@Test
-	void tipOnTheFilamentEndsAtTheJunction() {
-		final Polyline truth = Drawn.line(10, 60, 80, 60, 100, 40, 80, 20, 60, 40, 60, 60);
-		assertFollows(truth,
-			trails(drawn(truth), truth.first(), truth.length()).candidates().get(0), 5);
+	void whatThinningHidesAtTheFixedEndCountsAsLength() {
+		final Polyline truth = spiral(1.3, 25);
+		final Candidate best = trails(drawn(truth), new Point(46, 50), truth.length()).candidates()
+			.get(0);
+		assertEquals(truth.length() - 4, best.length(), 1.5);
 	}
 
 	@Test
@@ -220,7 +233,7 @@ class TrailCandidatesTest {
 
 	@Test
 	void withoutLengthEverythingIsCoveredOnce() {
-		final Polyline truth = Drawn.line(10, 60, 80, 60, 100, 40, 80, 20, 60, 40, 60, 95);
+		final Polyline truth = loop(95);
 		final Candidate best = trails(drawn(truth), truth.first(), 0).candidates().get(0);
 		assertFollows(truth, best, 5);
 		assertEquals(0, best.price().lengthMisfit());
@@ -239,7 +252,7 @@ class TrailCandidatesTest {
 
 	@Test
 	void narrowBeamIsReported() {
-		final Polyline truth = Drawn.line(10, 60, 80, 60, 100, 40, 80, 20, 60, 40, 60, 95);
+		final Polyline truth = loop(95);
 		final CandidateQuery query = CandidateQuery.of(drawn(truth), truth.first(),
 			OptionalDouble.of(truth.length()));
 		assertTrue(new TrailCandidates(40, 1, 2, TrailPrices.DEFAULT).generate(query, Progress.NONE)

@@ -53,6 +53,13 @@ class RootedGraphTest {
 	}
 
 	@Test
+	void thinningHidesTheFixedEnd() {
+		assertEquals(3, RootedGraph.of(LINE, new Point(2, 10)).hidden(new Point(2, 10)), 1e-9);
+		assertEquals(5, RootedGraph.of(LINE, new Point(-3, 10)).hidden(new Point(-3, 10)), 1e-9);
+		assertEquals(0, RootedGraph.of(LINE, new Point(30, 12)).hidden(new Point(30, 12)));
+	}
+
+	@Test
 	void emptyGraphHasNoRoots() {
 		assertTrue(RootedGraph.of(SkeletonGraph.of(Drawn.skeleton(5, 5)), new Point(2, 2)).roots()
 			.isEmpty());
