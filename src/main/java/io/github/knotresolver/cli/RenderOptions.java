@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 
+import io.github.knotresolver.io.OptionText;
 import io.github.knotresolver.simulate.BitDepth;
 import io.github.knotresolver.simulate.FrameRenderer;
 import io.github.knotresolver.simulate.OpticalRenderer;
@@ -92,7 +93,7 @@ final class RenderOptions {
 	private double decibel() {
 		if (snr.strip().equalsIgnoreCase("inf"))
 			return Double.POSITIVE_INFINITY;
-		return io.github.knotresolver.io.OptionText.number("--snr", snr);
+		return OptionText.number("--snr", snr);
 	}
 
 	private Optics optics() {
@@ -102,7 +103,7 @@ final class RenderOptions {
 	}
 
 	/** @return the options that had a say, for {@code parameters.json} */
-	Map<String, Object> record() {
+	Map<String, Object> settings() {
 		final Map<String, Object> json = new LinkedHashMap<>();
 		json.put("rendering", rendering.name().toLowerCase(Locale.ROOT));
 		json.put("pixel_size", pixelSize);

@@ -44,7 +44,7 @@ final class SimulateOptions {
 	@Option(names = "--motor-speed", paramLabel = "V", defaultValue = "0.1", description = "Without load, in µm/s [0.1].")
 	private double motorSpeed;
 
-	@Option(names = "--stall-force", paramLabel = "F", defaultValue = "5", description = "In pN [5].")
+	@Option(names = "--stall-force", paramLabel = "F", defaultValue = "6", description = "In pN [6].")
 	private double stallForce;
 
 	@Option(names = "--binding-rate", paramLabel = "R", defaultValue = "5", description = "Of a motor within reach, per s [5].")

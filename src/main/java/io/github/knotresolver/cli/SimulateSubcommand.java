@@ -88,7 +88,7 @@ final class SimulateSubcommand implements Callable<Integer> {
 			MovieTiff.write(movie.movie(), folder.path().resolve(MOVIE));
 			TruthCsv.write(folder.path().resolve(ContoursCsv.FILE), movie.truth());
 			SimulationJson.write(folder.path().resolve(ParametersJson.FILE), parameters,
-				rendering.record());
+				rendering.settings());
 			folder.commit();
 		}
 	}

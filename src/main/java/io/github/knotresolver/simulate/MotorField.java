@@ -35,16 +35,17 @@ final class MotorField {
 	 * order in which the filament meets them.
 	 *
 	 * @param chain the filament
-	 * @param reach distance in µm, at most the link's length times ten
+	 * @param reach distance in µm
 	 * @return motors, each once
 	 */
 	List<Motor> near(final Chain chain, final double reach) {
 		final Set<Square> seen = new HashSet<>();
 		final List<Motor> found = new ArrayList<>();
+		final double around = reach + chain.link / 2;
 		for (int i = 0; i < chain.nodes(); i++)
-			for (int row = index(chain.y[i] - reach); row <= index(chain.y[i] + reach); row++)
-				for (int column = index(chain.x[i] - reach); column <= index(
-					chain.x[i] + reach); column++) {
+			for (int row = index(chain.y[i] - around); row <= index(chain.y[i] + around); row++)
+				for (int column = index(chain.x[i] - around); column <= index(
+					chain.x[i] + around); column++) {
 					final Square square = new Square(column, row);
 					if (seen.add(square))
 						addNear(chain, square, reach, found);

@@ -18,7 +18,7 @@ package io.github.knotresolver.simulate;
  *          1978, doi:10.1126/science.347575); default 3 (dynein in Müller et
  *          al. 2008, doi:10.1073/pnas.0706825105)
  * @param stallForce force in pN at which a motor stops; linear force-velocity
- *          relation; default 5: gives the curvature of the published curves
+ *          relation; default 6: gives the winding of the published curves
  *          (docs/simulation.md); 7 was measured on single motors (Gennerich et
  *          al. 2007, doi:10.1016/j.cell.2007.10.016)
  * @param speed speed without load in µm/s; default 0.1 (Reck-Peterson et al.
@@ -47,7 +47,7 @@ public record MotorProperties(double density, double bindingRate, double binding
 	 * @return the motors
 	 */
 	public static MotorProperties dynein(final double density) {
-		return new MotorProperties(density, 5, 0.02, 0.04, 3, 5, 0.1, 100);
+		return new MotorProperties(density, 5, 0.02, 0.04, 3, 6, 0.1, 100);
 	}
 
 	/**

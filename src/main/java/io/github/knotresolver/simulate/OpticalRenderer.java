@@ -8,7 +8,7 @@ import io.github.knotresolver.geometry.Polyline;
  * spread function, so that strands that cross are brighter; background and
  * bleaching, other filaments and specks; shot noise and read noise. Grey values
  * are electrons, scaled so that a crossing of two strands with its noise fits
- * into 8 bit; 16 bit keeps one grey value per electron. Nothing is rounded to
+ * into 8 bit; 16 bit has one grey value per electron as long as they fit. Nothing is rounded to
  * whole pixels.
  */
 public final class OpticalRenderer implements FrameRenderer {

@@ -12,6 +12,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.SortedMap;
 import java.util.concurrent.TimeUnit;
 
@@ -39,24 +40,26 @@ import io.github.knotresolver.simulate.Trajectory;
 class BenchAgreementTest {
 
 	private static final Path SCORER = Path.of("..", "shared", "bench", "score.py");
-	private static final Path PYTHON = Path.of("/opt/bench/bin/python");
+	/** A Python with numpy, scipy and numba. */
+	private static final String PYTHON = Optional.ofNullable(System.getenv("BENCH_PYTHON"))
+		.orElse("python3");
 
 	@TempDir
 	private Path folder;
 
 	@Test
 	void theIndependentScorerSaysTheSame() throws IOException, InterruptedException {
-		assumeTrue(Files.exists(SCORER) && Files.exists(PYTHON),
-			"skipped: the independent scorer is not on this machine");
+		assumeTrue(Files.exists(SCORER) && isReady(),
+			"skipped: the scorer in ../shared or its Python (BENCH_PYTHON) is not on this machine");
 		final Path truth = folder.resolve("truth.csv"), result = folder.resolve("result.csv");
 		final Path theirs = folder.resolve("theirs.csv"), ours = folder.resolve("ours.csv");
 		final List<Polyline> contours = contours();
 		TruthCsv.write(truth, contours);
 		TruthCsv.write(result, disturbed(contours));
 		final SortedMap<Integer, Polyline> judged = ContoursCsv.read(result);
-		final Process process = new ProcessBuilder(PYTHON.toString(), SCORER.toString(),
-			truth.toString(), result.toString(), "--json", "--per-frame", theirs.toString())
-			.redirectErrorStream(true).start();
+		final Process process = new ProcessBuilder(PYTHON, SCORER.toString(), truth.toString(),
+			result.toString(), "--json", "--per-frame", theirs.toString()).redirectErrorStream(true)
+			.start();
 		final String output = new String(process.getInputStream().readAllBytes());
 		assertEquals(true, process.waitFor(1, TimeUnit.MINUTES));
 		final Evaluation evaluation = Evaluation.of(ContoursCsv.read(truth), judged, Progress.NONE);
@@ -64,6 +67,16 @@ class BenchAgreementTest {
 			evaluation.summary());
 		EvaluationCsv.write(ours, evaluation);
 		compareRows(Files.readAllLines(theirs), Files.readAllLines(ours));
+	}
+
+	private static boolean isReady() throws InterruptedException {
+		try {
+			return new ProcessBuilder(PYTHON, "-c", "import numpy, scipy, numba")
+				.redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.DISCARD).start()
+				.waitFor() == 0;
+		} catch (final IOException e) {
+			return false;
+		}
 	}
 
 	/** A short simulation in which the filament winds up. */
