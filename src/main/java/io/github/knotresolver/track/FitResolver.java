@@ -116,8 +116,8 @@ public final class FitResolver {
 				: proposer.of(given, fitters.apply(t));
 		});
 		progress.report("Following the filament forwards and backwards", 0.7);
-		final Propagation propagation = new Propagation(WIDTH, MotionPrice.DEFAULT, fitters,
-			proposals, progress);
+		final Propagation propagation = new Propagation(WIDTH, MotionPrice.learn(proposals),
+			fitters, proposals, progress);
 		final List<List<List<Fit>>> walks = workers.map(2, direction -> propagation
 			.walk(IntStream.range(0, n).map(i -> direction == 0 ? i : n - 1 - i).toArray()));
 		final List<List<Fit>> pools = new ArrayList<>();

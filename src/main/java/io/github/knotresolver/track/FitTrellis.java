@@ -20,7 +20,8 @@ record FitTrellis(List<FrameView> frames, FilamentEstimate estimate, List<List<F
 	List<TrackedFrame> solve(final Set<Integer> corrected, final Progress progress) {
 		final List<double[]> prices = pools.stream()
 			.map(p -> p.stream().mapToDouble(Fit::energy).toArray()).toList();
-		final TrellisPath path = Trellis.solve(prices, (t, i, u, j) -> MotionPrice.DEFAULT
+		final MotionPrice motion = MotionPrice.learn(pools);
+		final TrellisPath path = Trellis.solve(prices, (t, i, u, j) -> motion
 			.between(pools.get(t).get(i).chain(), pools.get(u).get(j).chain()), progress);
 		final List<TrackedFrame> tracked = new ArrayList<>();
 		for (int t = 0; t < pools.size(); t++)
