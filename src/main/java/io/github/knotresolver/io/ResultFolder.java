@@ -170,8 +170,10 @@ public final class ResultFolder implements AutoCloseable {
 		}
 	}
 
+	/** Resolved movies have both tables, simulated ones the contours alone. */
 	private static boolean isResult(final Path folder) {
 		return Files.exists(folder.resolve(ParametersJson.FILE))
-			&& Files.exists(folder.resolve(ContoursCsv.FILE));
+			&& (Files.exists(folder.resolve(FramesCsv.FILE))
+				|| Files.exists(folder.resolve(ContoursCsv.FILE)));
 	}
 }
