@@ -1,5 +1,6 @@
 package io.github.knotresolver.cli;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 
@@ -68,6 +69,7 @@ public final class KnotResolverMain implements Runnable {
 		System.setProperty("java.awt.headless", "true");
 		final CommandLine line = new CommandLine(new KnotResolverMain())
 			.addSubcommand(new ResolveSubcommand(engine, progress))
+			.addSubcommand(new MeasureSubcommand(progress))
 			.addSubcommand(new SimulateSubcommand(progress))
 			.addSubcommand(new EvaluateSubcommand(progress))
 			.setCaseInsensitiveEnumValuesAllowed(true);
@@ -105,7 +107,7 @@ public final class KnotResolverMain implements Runnable {
 			return oneLine(err, "Cancelled; nothing was written.", ExitStatus.CANCELLED);
 		if (e instanceof IllegalArgumentException)
 			return oneLine(err, asOption(e.getMessage()), ExitStatus.FAILED);
-		if (e instanceof java.io.IOException)
+		if (e instanceof IOException)
 			return oneLine(err, "The result could not be written: " + e.getMessage() + ".",
 				ExitStatus.FAILED);
 		return unexpected(err, e);

@@ -7,11 +7,13 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
 
+import ij.ImagePlus;
 import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageMovie;
-import io.github.knotresolver.imagej.MovieLoader;
 import io.github.knotresolver.imagej.ResultWriter;
+import io.github.knotresolver.imagej.SampleMovie;
 import io.github.knotresolver.io.MeasuredResolution;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.RunOptions;
@@ -27,7 +29,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** {@code knotresolver resolve}: from a movie to a result folder. */
-@Command(name = "resolve", mixinStandardHelpOptions = true, sortOptions = false, usageHelpAutoWidth = true, description = "Finds one ordered contour per frame of a filament that crosses itself.%n")
+@Command(name = "resolve", mixinStandardHelpOptions = true, sortOptions = false, abbreviateSynopsis = true, usageHelpAutoWidth = true, description = "Finds one ordered contour per frame of a filament that crosses itself.%n")
 final class ResolveSubcommand implements Callable<Integer> {
 
 	@Spec
@@ -67,32 +69,32 @@ final class ResolveSubcommand implements Callable<Integer> {
 
 	private void resolve() throws IOException {
 		final RunOptions run;
+		final ImagePlus image;
 		final Movie input;
 		final io.github.knotresolver.pipeline.Parameters parameters;
 		try {
 			run = RunOptions.parse(texts());
 			ResultFolder.check(out, force);
-			input = load(run);
+			image = image();
+			input = ImageMovie.of(image, run.input());
 			parameters = run.parameters(input);
 		} catch (final IllegalArgumentException e) {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
 		}
 		final MeasuredResolution result = MeasuredResolution
 			.of(engine.resolve(input, parameters, progress), progress);
-		new ResultWriter(result, run.input()).write(out, force, plots, progress);
+		new ResultWriter(result, run.input(), image).write(out, force, plots, progress);
 		final PrintWriter stdout = spec.commandLine().getOut();
 		RunReport.lines(result).forEach(stdout::println);
 		stdout.println("Result: " + out + " (look at montage.png first).");
 	}
 
-	private Movie load(final RunOptions run) {
+	private ImagePlus image() {
 		if (sample == (movie != null))
 			throw new IllegalArgumentException(sample
 				? "Either a movie or --sample, but not both."
 				: "Name a movie, or add --sample for the one that comes along.");
-		return sample
-			? ImageMovie.of(MovieLoader.sample(), run.input())
-			: MovieLoader.load(movie, run.input());
+		return sample ? SampleMovie.open() : ImageFile.open(movie);
 	}
 
 	/** The options that were given, by the keys that all front doors share. */

@@ -173,7 +173,8 @@ public class ResolveFilamentCommand extends ContextCommand {
 		final MeasuredResolution result = MeasuredResolution
 			.of(engine.resolve(series, parameters, progress), progress);
 		if (out != null)
-			new ResultWriter(result, options.input()).write(out.toPath(), force, plots, progress);
+			new ResultWriter(result, options.input(), input).write(out.toPath(), force, plots,
+				progress);
 		if (show && !GraphicsEnvironment.isHeadless())
 			show(input, result);
 		resolution = result.resolution();

@@ -136,6 +136,22 @@ public final class Chain {
 	}
 
 	/**
+	 * Mean absolute difference of the directions at equal arc length. Directions are
+	 * continuous along a chain, so that a loop that is run the other way round counts
+	 * with its full turn even if it covers the same pixels.
+	 *
+	 * @param other a chain with as many links
+	 * @return the difference in radians
+	 */
+	public double turn(final Chain other) {
+		final double full = nearest(other.theta[0], theta[0]) - other.theta[0];
+		double sum = 0;
+		for (int i = 0; i < theta.length; i++)
+			sum += Math.abs(theta[i] - other.theta[i] - full);
+		return sum / theta.length;
+	}
+
+	/**
 	 * The chain moved by a step of the solver: x0, y0, angles and link length.
 	 */
 	Chain moved(final double[] step, final double scale, final double linkStep) {

@@ -1,6 +1,7 @@
 
 package io.github.knotresolver.imagej;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -102,7 +103,7 @@ public final class ImageFile {
 	private static FileInfo[] infos(final Path file) {
 		try {
 			final Path folder = file.toAbsolutePath().getParent();
-			return new TiffDecoder(folder + java.io.File.separator, file.getFileName().toString())
+			return new TiffDecoder(folder + File.separator, file.getFileName().toString())
 				.getTiffInfo();
 		} catch (final IOException | RuntimeException e) {
 			return null;

@@ -1,6 +1,7 @@
 package io.github.knotresolver.imagej;
 
 import java.awt.image.BufferedImage;
+import java.util.Arrays;
 
 import net.imglib2.RandomAccess;
 import net.imglib2.img.array.ArrayImg;
@@ -76,7 +77,7 @@ public final class OverlayRenderer {
 
 	private static ArrayImg<DoubleType, DoubleArray> brightest(final Movie movie) {
 		final double[] most = new double[movie.width() * movie.height()];
-		java.util.Arrays.fill(most, Double.NEGATIVE_INFINITY);
+		Arrays.fill(most, Double.NEGATIVE_INFINITY);
 		final RandomAccess<? extends RealType<?>> pixel = movie.frames().randomAccess();
 		for (int t = 0; t < movie.size(); t++)
 			for (int i = 0; i < most.length; i++)

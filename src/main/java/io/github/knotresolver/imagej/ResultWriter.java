@@ -7,6 +7,7 @@ import java.nio.file.Path;
 
 import javax.imageio.ImageIO;
 
+import ij.ImagePlus;
 import ij.io.FileSaver;
 import io.github.knotresolver.imagej.plot.Figures;
 import io.github.knotresolver.io.ContoursCsv;
@@ -27,15 +28,19 @@ public final class ResultWriter {
 	private final MeasuredResolution result;
 	private final Resolution resolution;
 	private final InputOptions input;
+	private final RoiConverter rois;
 
 	/**
 	 * @param result a measured result
 	 * @param input how its movie was taken from the image
+	 * @param image the image, whose frames the ROIs are for
 	 */
-	public ResultWriter(final MeasuredResolution result, final InputOptions input) {
+	public ResultWriter(final MeasuredResolution result, final InputOptions input,
+		final ImagePlus image) {
 		this.result = result;
 		this.resolution = result.resolution();
 		this.input = input;
+		this.rois = RoiConverter.forImage(image, input.channel());
 	}
 
 	/**
@@ -56,9 +61,8 @@ public final class ResultWriter {
 			progress.report("Writing tables", 0);
 			writeTables(folder.path());
 			progress.checkCancelled();
-			RoiSetWriter.write(folder.path().resolve(RoiSetWriter.FILE),
-				RoiConverter.forStack(resolution.movie().size()).rois(resolution));
-			progress.report("Drawing the overlay", 0.5);
+			RoiSetWriter.write(folder.path().resolve(RoiSetWriter.FILE), rois.rois(resolution));
+			progress.report("Drawing", 0);
 			writePictures(folder.path(), plots, progress);
 			progress.checkCancelled();
 			folder.commit();
@@ -76,13 +80,23 @@ public final class ResultWriter {
 
 	private void writePictures(final Path folder, final boolean plots, final Progress progress)
 		throws IOException {
-		final byte[] overlay = new FileSaver(OverlayRenderer.stack(resolution)).serialize();
-		Files.write(folder.resolve("overlay.tif"), overlay);
+		Together.run(() -> writeOverlay(folder, plots, progress),
+			() -> writeFigures(folder, plots, progress));
+	}
+
+	private void writeOverlay(final Path folder, final boolean plots, final Progress progress)
+		throws IOException {
+		Files.write(folder.resolve("overlay.tif"),
+			new FileSaver(OverlayRenderer.stack(resolution)).serialize());
 		progress.checkCancelled();
 		writePng(folder.resolve("montage.png"), Montage.of(resolution));
 		progress.checkCancelled();
 		if (plots)
 			writePng(folder.resolve("overlay.png"), OverlayRenderer.projection(resolution));
+	}
+
+	private void writeFigures(final Path folder, final boolean plots, final Progress progress)
+		throws IOException {
 		if (result.measurements().isEmpty())
 			return;
 		final MovieMeasurements measurements = result.measurements().get();

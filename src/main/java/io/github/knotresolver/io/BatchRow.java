@@ -1,6 +1,7 @@
 package io.github.knotresolver.io;
 
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -17,7 +18,7 @@ import java.util.TreeMap;
 public record BatchRow(int line, Path movie, Map<String, String> texts, List<String> notes) {
 
 	public BatchRow {
-		texts = java.util.Collections.unmodifiableMap(new TreeMap<>(texts));
+		texts = Collections.unmodifiableMap(new TreeMap<>(texts));
 		notes = List.copyOf(notes);
 	}
 

@@ -1,12 +1,10 @@
 
 package io.github.knotresolver.io;
 
-import java.io.BufferedWriter;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 
 import org.apache.commons.csv.CSVPrinter;
 
@@ -14,6 +12,7 @@ import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.measure.DominantFrequency;
+import io.github.knotresolver.measure.OriginalQuantities;
 import io.github.knotresolver.measure.Quantity;
 
 /**
@@ -34,7 +33,6 @@ public final class OriginalFiles {
 
 	/** Arc length over which the tip's direction is taken, in pixels. */
 	private static final double TIP_PX = 5;
-	private static final String MICRON = "micron";
 
 	private OriginalFiles() {
 	}
@@ -68,35 +66,19 @@ public final class OriginalFiles {
 		final Calibration c = result.calibration();
 		final List<MeasuredFrame> measured = result.frames().stream()
 			.filter(f -> !Double.isNaN(f.length())).toList();
-		final LengthStatistics s = LengthStatistics
-			.ofLengths(measured.stream().mapToDouble(f -> length(f, c)).toArray());
-		final String unit = c.unit().equals("µm") ? MICRON : c.unit();
-		try (BufferedWriter out = Files.newBufferedWriter(file, StandardCharsets.UTF_8)) {
-			out.write("Statistics Summary\n------------------\n");
-			out.write("Scaling Factor: " + NumberText.fixed(c.pixelSize(), 5) + "\n");
-			out.write("Time Step: " + NumberText.fixed(c.frameInterval(), 2) + "\n");
-			out.write("Distance ignored from end (" + unit + "s): 0.00\n");
-			out.write("Dominant Frequency (" + result.frequencyUnit() + "): "
-				+ number(
-					result.dominantFrequency().map(DominantFrequency::frequency).orElse(Double.NaN),
-					5)
-				+ "\n\n");
-			out.write("Mean Length, Median Length, Std Length, Min Length, Max Length\n");
-			out.write(String.join(", ", number(s.mean(), 2), number(s.median(), 2),
-				number(s.sd(), 2), number(s.min(), 2), number(s.max(), 2)) + "\n");
-			out.write("Frame, Length (" + unit
-				+ "), Tip Angle, Tip Angle (smooth), EndToEndDistance (" + unit + ")\n");
-			for (final MeasuredFrame frame : measured)
-				out.write(row(frame, c) + "\n");
-		}
+		OriginalStatistics.write(file,
+			new OriginalQuantities(measured.stream().mapToInt(f -> f.tracked().frame()).toArray(),
+				values(measured, f -> length(f, c)),
+				values(measured, f -> folded(tipDirection(f.tracked().contour().orElseThrow()))),
+				values(measured, f -> folded(f.get(Quantity.TIP_ANGLE))),
+				values(measured, f -> f.get(Quantity.END_TO_END)),
+				result.dominantFrequency().map(DominantFrequency::frequency).orElse(Double.NaN)),
+			c, result.frequencyUnit());
 	}
 
-	private static String row(final MeasuredFrame frame, final Calibration c) {
-		final Polyline contour = frame.tracked().contour().orElseThrow();
-		return frame.tracked().frame() + ", " + number(length(frame, c), 3) + ", "
-			+ number(folded(tipDirection(contour)), 3) + ", "
-			+ number(folded(frame.get(Quantity.TIP_ANGLE)), 3) + ", "
-			+ number(frame.get(Quantity.END_TO_END), 3);
+	private static double[] values(final List<MeasuredFrame> frames,
+		final ToDoubleFunction<MeasuredFrame> value) {
+		return frames.stream().mapToDouble(value).toArray();
 	}
 
 	private static double length(final MeasuredFrame frame, final Calibration c) {
@@ -111,9 +93,5 @@ public final class OriginalFiles {
 	/** From radians, y down, to degrees, y up, in -90..90. */
 	private static double folded(final double angle) {
 		return Math.toDegrees(Math.atan(Math.tan(-angle)));
-	}
-
-	private static String number(final double value, final int decimals) {
-		return Double.isFinite(value) ? NumberText.fixed(value, decimals) : "NaN";
 	}
 }

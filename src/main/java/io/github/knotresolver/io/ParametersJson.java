@@ -10,9 +10,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
+import com.google.gson.JsonObject;
 
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Point;
@@ -32,6 +34,7 @@ public final class ParametersJson {
 	/** The file's name in a result folder. */
 	public static final String FILE = "parameters.json";
 
+	private static final String PROGRAM = "program";
 	private static final Gson GSON = new GsonBuilder().setPrettyPrinting().disableHtmlEscaping()
 		.serializeNulls().create();
 
@@ -47,7 +50,7 @@ public final class ParametersJson {
 	public static void write(final Path file, final Resolution resolution, final InputOptions input)
 		throws IOException {
 		final Map<String, Object> json = new LinkedHashMap<>();
-		json.put("program", ProgramVersion.NAME);
+		json.put(PROGRAM, ProgramVersion.NAME);
 		json.put("version", ProgramVersion.get());
 		json.put("movie", movie(resolution.movie()));
 		json.put("options", options(resolution, input));
@@ -71,6 +74,17 @@ public final class ParametersJson {
 				line.append(line.isEmpty() ? "" : " ").append(key).append('=').append(value);
 		});
 		return line.toString();
+	}
+
+	/** @return whether this program wrote the file */
+	static boolean isOurs(final Path file) {
+		try {
+			final JsonObject json = GSON.fromJson(Files.readString(file), JsonObject.class);
+			return json != null && json.has(PROGRAM)
+				&& ProgramVersion.NAME.equals(json.get(PROGRAM).getAsString());
+		} catch (final IOException | RuntimeException e) {
+			return false;
+		}
 	}
 
 	private static Map<String, Object> movie(final Movie movie) {
@@ -127,9 +141,8 @@ public final class ParametersJson {
 
 	private static Map<String, List<String>> corrections(final Map<Integer, Polyline> contours) {
 		final Map<String, List<String>> json = new LinkedHashMap<>();
-		new TreeMap<>(contours)
-			.forEach((frame, contour) -> json.put(frame.toString(), java.util.stream.IntStream
-				.range(0, contour.size()).mapToObj(i -> contour.point(i).toString()).toList()));
+		new TreeMap<>(contours).forEach((frame, contour) -> json.put(frame.toString(), IntStream
+			.range(0, contour.size()).mapToObj(i -> contour.point(i).toString()).toList()));
 		return json;
 	}
 

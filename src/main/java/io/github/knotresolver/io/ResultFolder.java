@@ -39,8 +39,8 @@ public final class ResultFolder implements AutoCloseable {
 	 * Checks that a result may be written, without writing anything.
 	 *
 	 * @param out the wanted folder; it may be absent or empty
-	 * @param overwrite whether an earlier result may be replaced; a folder that
-	 *          holds anything else never is
+	 * @param overwrite whether an earlier result may be replaced, with all that
+	 *          is in its folder; a folder without a result never is
 	 * @throws IllegalArgumentException if it may not, in one sentence
 	 */
 	public static void check(final Path out, final boolean overwrite) {
@@ -170,10 +170,7 @@ public final class ResultFolder implements AutoCloseable {
 		}
 	}
 
-	/** Resolved movies have both tables, simulated ones the contours alone. */
 	private static boolean isResult(final Path folder) {
-		return Files.exists(folder.resolve(ParametersJson.FILE))
-			&& (Files.exists(folder.resolve(FramesCsv.FILE))
-				|| Files.exists(folder.resolve(ContoursCsv.FILE)));
+		return ParametersJson.isOurs(folder.resolve(ParametersJson.FILE));
 	}
 }

@@ -2,6 +2,8 @@
 package io.github.knotresolver.io;
 
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
@@ -9,6 +11,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
+import java.util.TreeSet;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
@@ -83,7 +86,7 @@ public final class RunOptions {
 		p.fixedEnd().ifPresent(end -> requireInside(end, movie));
 		requireInMovie("frames", p.frames(), movie);
 		requireInMovie("ignore_frames", p.ignoreFrames(), movie);
-		requireInMovie("corrections", new java.util.TreeSet<>(p.corrections().keySet()), movie);
+		requireInMovie("corrections", new TreeSet<>(p.corrections().keySet()), movie);
 		final OptionalDouble pixels = length.isPresent()
 			? OptionalDouble.of(length.getAsDouble() / movie.calibration().pixelSize())
 			: OptionalDouble.empty();
@@ -179,7 +182,6 @@ public final class RunOptions {
 	}
 
 	private static Set<String> keys(final String... keys) {
-		return java.util.Collections
-			.unmodifiableSet(new LinkedHashSet<>(java.util.Arrays.asList(keys)));
+		return Collections.unmodifiableSet(new LinkedHashSet<>(Arrays.asList(keys)));
 	}
 }

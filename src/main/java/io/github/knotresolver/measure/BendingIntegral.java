@@ -5,12 +5,14 @@ package io.github.knotresolver.measure;
  * Half the integral of squared curvature, without what noise adds to it and
  * with what smoothing takes from it, and its standard error: noise to first
  * order through every point's influence, to second order for nearly straight
- * filaments, and the correction itself.
+ * filaments, and half the correction. In the last half window at each end,
+ * where curvature is not measured well, that of the innermost full window is
+ * taken.
  */
 final class BendingIntegral {
 
 	/** Length over which errors of curvature are alike, in windows. */
-	private static final double ALIKE = 0.6;
+	private static final double ALIKE = 0.2;
 
 	private final Samples raw;
 	private final double[] curvature;
@@ -30,20 +32,39 @@ final class BendingIntegral {
 	/** @param noise variance of a point, inflated for correlation */
 	Estimate measured(final double noise, final double window) {
 		final int n = raw.size();
+		final int first = nearest(window / 2), last = nearest(raw.length() - window / 2);
 		final double[] influence = new double[n];
-		double energy = 0, second = 0, drift = 0;
+		double energy = 0, straight = 0, smoothed = 0, seen = 0;
 		for (int i = 0; i < n; i++) {
-			final double ds = step(i), k = curvature[i], v = noise * variance[i];
+			final int c = Math.max(first, Math.min(last, i));
+			final double ds = step(i), k = curvature[c], v = noise * variance[c];
 			energy += (k * k - v) * ds / 2;
-			second += v * v * ds * ALIKE * window / 2;
-			drift += k * bias.curvatureDifference(i) * ds;
-			weights.add(i, k * ds, influence);
+			seen += k * k * ds / 2;
+			straight += v * v * ds * ALIKE * window / 2;
+			smoothed += k * bias.curvatureDifference(c) * ds;
+			weights.add(c, k * ds, influence);
 			influence[i] += k * k * k * ds / 2;
 		}
-		double first = 0;
+		double bent = 0;
 		for (final double g : influence)
-			first += g * g * noise;
-		return new Estimate(energy + drift, Math.sqrt(first + second + 2 * drift * drift));
+			bent += g * g * noise;
+		// The curvature that is seen is part noise, which has no influence.
+		bent *= seen > 0 ? Math.max(0, energy / seen) : 0;
+		final double ends = Math.hypot(endError(first, nearest(window), window),
+			endError(last, nearest(raw.length() - window), window));
+		return new Estimate(energy + smoothed,
+			Math.sqrt(bent + straight + smoothed * smoothed / 4 + ends * ends));
+	}
+
+	/** What a change of curvature inside the last half window would make. */
+	private double endError(final int i, final int inside, final double window) {
+		final double change = Math.abs(curvature[i] - curvature[inside]);
+		return (Math.abs(curvature[i]) + change / 2) * change / 2 * window / Math.sqrt(12);
+	}
+
+	private int nearest(final double s) {
+		final int[] w = raw.window(s, 0, 1);
+		return Math.min(raw.size() - 1, w[0]);
 	}
 
 	private double step(final int i) {

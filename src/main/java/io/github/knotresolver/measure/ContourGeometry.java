@@ -46,7 +46,8 @@ public final class ContourGeometry {
 		this.curvature = curve.curvature();
 		this.noise = curve.noise();
 		this.arcLength = curve.arcLength(noise.sigma() * noise.sigma() * noise.inflation());
-		this.bending = curve.bending(noise, smoothing.window());
+		this.bending = curve.bending(noise,
+			Math.min(smoothing.window(), arcLength[arcLength.length - 1]));
 	}
 
 	/**

@@ -1,6 +1,8 @@
 
 package io.github.knotresolver.measure;
 
+import java.util.Arrays;
+
 /**
  * Least-squares fit of a polynomial curve (x(s), y(s)) to the points of a
  * window, the step behind Savitzky and Golay's filter (1964,
@@ -18,6 +20,8 @@ final class LocalPolynomial {
 
 	private final int terms;
 	private final double[] moments;
+	private final double[] bx;
+	private final double[] by;
 	private final double[] cx;
 	private final double[] cy;
 	private final double[][] inverse;
@@ -28,6 +32,8 @@ final class LocalPolynomial {
 	LocalPolynomial(final int order) {
 		terms = order + 1;
 		moments = new double[2 * order + 1];
+		bx = new double[terms];
+		by = new double[terms];
 		cx = new double[terms];
 		cy = new double[terms];
 		inverse = new double[terms][terms];
@@ -48,26 +54,30 @@ final class LocalPolynomial {
 	void fit(final Samples c, final int from, final int to, final double at,
 		final double halfWindow, final double gap) {
 		scale = 1 / halfWindow;
-		final double[] bx = new double[terms], by = new double[terms];
-		java.util.Arrays.fill(moments, 0);
+		Arrays.fill(moments, 0);
+		Arrays.fill(bx, 0);
+		Arrays.fill(by, 0);
 		for (int j = from; j < to; j++) {
 			final double d = c.s(j) - at;
-			if (Math.abs(d) <= gap)
-				continue;
-			double power = 1;
-			for (int k = 0; k < moments.length; k++, power *= d * scale) {
-				moments[k] += power;
-				if (k >= terms)
-					continue;
-				bx[k] += power * c.x(j);
-				by[k] += power * c.y(j);
-			}
+			if (Math.abs(d) > gap)
+				add(d * scale, c.x(j), c.y(j));
 		}
 		invert();
 		for (int i = 0; i < terms; i++) {
 			cx[i] = dot(inverse[i], bx);
 			cy[i] = dot(inverse[i], by);
 		}
+	}
+
+	private void add(final double u, final double x, final double y) {
+		double power = 1;
+		for (int k = 0; k < terms; k++, power *= u) {
+			moments[k] += power;
+			bx[k] += power * x;
+			by[k] += power * y;
+		}
+		for (int k = terms; k < moments.length; k++, power *= u)
+			moments[k] += power;
 	}
 
 	/** @return derivative {@code d} of x with respect to arc length */
@@ -107,33 +117,41 @@ final class LocalPolynomial {
 		return u;
 	}
 
-	/** Inverts the normal matrix by its Cholesky factor. */
+	/**
+	 * Inverts the normal matrix by its Cholesky factor, whose diagonal is kept as
+	 * reciprocals.
+	 */
 	private void invert() {
-		for (int i = 0; i < terms; i++)
+		for (int i = 0; i < terms; i++) {
+			final double[] row = factor[i];
 			for (int j = 0; j <= i; j++) {
 				double sum = moments[i + j] * (i == j ? 1 + RIDGE : 1);
 				for (int k = 0; k < j; k++)
-					sum -= factor[i][k] * factor[j][k];
-				factor[i][j] = i == j
-					? Math.sqrt(Math.max(sum, Double.MIN_NORMAL))
-					: sum / factor[j][j];
+					sum -= row[k] * factor[j][k];
+				row[j] = i == j
+					? 1 / Math.sqrt(Math.max(sum, Double.MIN_NORMAL))
+					: sum * factor[j][j];
 			}
+		}
 		for (int column = 0; column < terms; column++)
-			solveUnit(column);
+			solveUnit(column, inverse[column]);
 	}
 
-	private void solveUnit(final int column) {
-		for (int i = 0; i < terms; i++) {
+	/** A row of the inverse, which is symmetric: its column. */
+	private void solveUnit(final int column, final double[] out) {
+		for (int i = 0; i < column; i++)
+			out[i] = 0;
+		for (int i = column; i < terms; i++) {
 			double sum = i == column ? 1 : 0;
-			for (int k = 0; k < i; k++)
-				sum -= factor[i][k] * inverse[k][column];
-			inverse[i][column] = sum / factor[i][i];
+			for (int k = column; k < i; k++)
+				sum -= factor[i][k] * out[k];
+			out[i] = sum * factor[i][i];
 		}
 		for (int i = terms - 1; i >= 0; i--) {
-			double sum = inverse[i][column];
+			double sum = out[i];
 			for (int k = i + 1; k < terms; k++)
-				sum -= factor[k][i] * inverse[k][column];
-			inverse[i][column] = sum / factor[i][i];
+				sum -= factor[k][i] * out[k];
+			out[i] = sum * factor[i][i];
 		}
 	}
 

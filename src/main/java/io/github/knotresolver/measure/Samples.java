@@ -33,6 +33,14 @@ final class Samples {
 		return new Samples(s, x, y);
 	}
 
+	/** @return values, as y, over their index */
+	static Samples overIndex(final double[] values) {
+		final double[] index = new double[values.length];
+		for (int i = 0; i < index.length; i++)
+			index[i] = i;
+		return new Samples(index, index, values);
+	}
+
 	/** @return the same points over another arc length */
 	Samples over(final double[] arc) {
 		return new Samples(arc, x, y);

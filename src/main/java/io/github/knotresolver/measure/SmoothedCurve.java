@@ -6,6 +6,8 @@ package io.github.knotresolver.measure;
  */
 final class SmoothedCurve {
 
+	/** How often in a window the bias is looked at. */
+	private static final int COMPARED = 8;
 	/** Smallest part of the noise that a residual is taken to show. */
 	private static final double LEAST_FREEDOM = 0.4;
 
@@ -59,7 +61,12 @@ final class SmoothedCurve {
 	 */
 	SmoothedCurve withBias(final double window, final int order, final int leastPoints) {
 		final LocalPolynomial fit = new LocalPolynomial(order + 2);
+		final int stride = Math.max(1, (int) (windowPoints / COMPARED));
 		for (int i = 0; i < raw.size(); i++) {
+			if (i % stride != 0) {
+				bias.copy(i - 1, i);
+				continue;
+			}
 			final int[] w = raw.window(raw.s(i), window, leastPoints);
 			if (w[1] - w[0] < order + 4)
 				continue;

@@ -37,6 +37,14 @@ final class SmoothingBias {
 		curvatureDifference[i] = curvature;
 	}
 
+	/** Takes over what was found at another point. */
+	void copy(final int from, final int to) {
+		for (final double[][] values : new double[][][]{squares, excess})
+			for (final double[] row : values)
+				row[to] = row[from];
+		curvatureDifference[to] = curvatureDifference[from];
+	}
+
 	/** @return curvature of the higher order less that of the lower */
 	double curvatureDifference(final int i) {
 		return curvatureDifference[i];
@@ -44,13 +52,14 @@ final class SmoothingBias {
 
 	/** @return the standard errors with the bias added in squares */
 	double[] added(final int what, final double[] errors, final double noise) {
+		final double[] sums = new double[errors.length + 1];
+		for (int i = 0; i < errors.length; i++)
+			sums[i + 1] = sums[i] + squares[what][i] - noise * noise * excess[what][i];
 		final double[] out = new double[errors.length];
 		for (int i = 0; i < out.length; i++) {
 			final int[] w = raw.window(raw.s(i), window, 1);
-			double sum = 0;
-			for (int j = w[0]; j < w[1]; j++)
-				sum += squares[what][j] - noise * noise * excess[what][j];
-			out[i] = Math.sqrt(errors[i] * errors[i] + Math.max(0, sum / (w[1] - w[0])));
+			out[i] = Math.sqrt(
+				errors[i] * errors[i] + Math.max(0, (sums[w[1]] - sums[w[0]]) / (w[1] - w[0])));
 		}
 		return out;
 	}

@@ -15,14 +15,11 @@ final class TimeSeries {
 	private final double[] time;
 	private final double[] value;
 	private final double interval;
-	private final int frames;
 
-	private TimeSeries(final double[] time, final double[] value, final double interval,
-		final int frames) {
+	private TimeSeries(final double[] time, final double[] value, final double interval) {
 		this.time = time;
 		this.value = value;
 		this.interval = interval;
-		this.frames = frames;
 	}
 
 	/** @return the values that are present, with their times */
@@ -39,7 +36,7 @@ final class TimeSeries {
 			time[k] = i * interval;
 			value[k++] = values[i];
 		}
-		return new TimeSeries(time, value, interval, values.length);
+		return new TimeSeries(time, value, interval);
 	}
 
 	int size() {
@@ -86,7 +83,7 @@ final class TimeSeries {
 
 	/** @return the same times with other values */
 	TimeSeries with(final double[] values) {
-		return new TimeSeries(time, values, interval, frames);
+		return new TimeSeries(time, values, interval);
 	}
 
 	/** @return mean square of the values */

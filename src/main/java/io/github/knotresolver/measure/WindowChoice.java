@@ -19,6 +19,8 @@ final class WindowChoice {
 	 * (Hall 1992, doi:10.1214/aos/1176348653).
 	 */
 	private static final double NARROWER = 0.85;
+	/** Wider windows are not tried once the error has grown by this much. */
+	private static final double HOPELESS = 4;
 	/** Points that are predicted, over all contours. */
 	private static final int PREDICTIONS = 1200;
 	private static final int ORDER = Smoothing.DEFAULT_ORDER;
@@ -40,6 +42,8 @@ final class WindowChoice {
 		double best = narrowest, least = Double.POSITIVE_INFINITY;
 		for (double w = narrowest; w <= widest * (1 + 1e-9); w *= STEP) {
 			final double error = predictionError(w);
+			if (error > HOPELESS * least)
+				break;
 			if (error < least) {
 				least = error;
 				best = w;

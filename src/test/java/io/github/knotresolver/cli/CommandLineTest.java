@@ -16,6 +16,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
+import java.util.zip.ZipInputStream;
 
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -23,6 +24,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 import ij.IJ;
 import ij.ImagePlus;
+import ij.gui.Roi;
+import ij.io.RoiDecoder;
 import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.imagej.TestImages;
 import io.github.knotresolver.progress.CancelledException;
@@ -89,6 +92,20 @@ class CommandLineTest {
 		assertTrue(Files.readString(out.resolve("parameters.json")).contains("\"refine\": false"));
 		assertEquals(0, resolve(movie, "--refine", "--force").status);
 		assertTrue(Files.readString(out.resolve("parameters.json")).contains("\"refine\": true"));
+	}
+
+	@Test
+	void roisOfAHyperstackHaveItsPositions() throws IOException {
+		final ImagePlus two = IJ.createHyperStack("two", 80, 60, 2, 1, 3, 8);
+		two.getStack().getProcessor(two.getStackIndex(2, 1, 1)).set(3, 3, 9);
+		assertEquals(0, resolve(save(two, "two.tif"), "--channel", "2", "--no-plots").status);
+		try (ZipInputStream zip = new ZipInputStream(
+			Files.newInputStream(out.resolve("RoiSet.zip")))) {
+			assertEquals("knot-0001.roi", zip.getNextEntry().getName());
+			assertEquals("knot-0003.roi", zip.getNextEntry().getName());
+			final Roi roi = RoiDecoder.openFromByteArray(zip.readAllBytes());
+			assertEquals(List.of(2, 3), List.of(roi.getCPosition(), roi.getTPosition()));
+		}
 	}
 
 	@Test

@@ -69,8 +69,9 @@ class ResultFolderTest {
 	void neverReplacesWhatIsNotAResult() throws IOException {
 		final Path out = Files.createDirectory(home.resolve("documents"));
 		Files.writeString(out.resolve("thesis.txt"), "years of work");
+		Files.writeString(out.resolve(ParametersJson.FILE), "{\"program\": \"another\"}");
 		assertTrue(refusal(out, true).contains("not a result"));
-		assertEquals(List.of("thesis.txt"), names(out));
+		assertEquals(List.of(ParametersJson.FILE, "thesis.txt"), names(out));
 	}
 
 	@Test
@@ -94,7 +95,8 @@ class ResultFolderTest {
 	private static void write(final Path out, final String text, final boolean force)
 		throws IOException {
 		try (ResultFolder folder = ResultFolder.prepare(out, force)) {
-			Files.writeString(folder.path().resolve(ParametersJson.FILE), "{}");
+			Files.writeString(folder.path().resolve(ParametersJson.FILE),
+				"{\"program\": \"KnotResolver\"}");
 			Files.writeString(folder.path().resolve(FramesCsv.FILE), text);
 			folder.commit();
 		}

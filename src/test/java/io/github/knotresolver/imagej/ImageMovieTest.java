@@ -27,7 +27,7 @@ import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.io.InputOptions;
 import io.github.knotresolver.io.RunOptions;
 
-class MovieLoaderTest {
+class ImageMovieTest {
 
 	@TempDir
 	Path home;
@@ -36,8 +36,8 @@ class MovieLoaderTest {
 	@ValueSource(ints = {8, 16, 32})
 	void everyBitDepthKeepsItsPixelsAndCalibration(final int bits) {
 		final ImagePlus image = TestImages.movie(4, bits);
-		final Movie movie = MovieLoader.load(TestImages.save(image, home.resolve("m.tif")),
-			InputOptions.DEFAULT);
+		final Movie movie = ImageMovie.of(
+			ImageFile.open(TestImages.save(image, home.resolve("m.tif"))), InputOptions.DEFAULT);
 		assertEquals(new Calibration(0.25, "µm", 2, "s"), movie.calibration());
 		assertEquals("m.tif", movie.name());
 		assertSamePixels(image, 0, movie);

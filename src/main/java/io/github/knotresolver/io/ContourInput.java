@@ -1,0 +1,174 @@
+package io.github.knotresolver.io;
+
+import java.io.IOException;
+import java.io.Reader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.TreeSet;
+
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParseException;
+import com.google.gson.JsonParser;
+
+import org.apache.commons.csv.CSVRecord;
+
+import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+
+/**
+ * Contours that are to be measured: of a result folder, of a
+ * {@code contours.csv}, or of the original tool's {@code MTdata.csv}.
+ *
+ * @param name what they are called
+ * @param contours one entry a frame, in pixels, fixed end first; empty where a
+ *          frame has none
+ * @param calibration units as far as the files tell them, else pixels and
+ *          frames
+ */
+public record ContourInput(String name, List<Optional<Polyline>> contours,
+	Calibration calibration) {
+
+	private static final int MOST_FRAMES = 1_000_000;
+
+	public ContourInput {
+		contours = List.copyOf(contours);
+	}
+
+	/**
+	 * @param path a result folder or a CSV file
+	 * @return its contours
+	 * @throws IllegalArgumentException if there are none, or a file is not what it
+	 *           should be, in one sentence
+	 */
+	public static ContourInput read(final Path path) {
+		if (Files.isDirectory(path))
+			return folder(path);
+		final List<CSVRecord> records = CsvFile.read(path);
+		if (records.isEmpty())
+			throw new IllegalArgumentException(
+				path + " is empty; give a result folder, a contours.csv or an MTdata.csv.");
+		final boolean original = CsvFile.withoutByteOrderMark(records.get(0).get(0))
+			.matches("[0-9.]+");
+		final SortedMap<Integer, Polyline> contours = original
+			? original(path, records)
+			: ContoursCsv.read(path);
+		return new ContourInput(stem(path), frames(path, contours, 0),
+			original ? Calibration.NONE : unit(path, records));
+	}
+
+	private static ContourInput folder(final Path folder) {
+		final Path file = folder.resolve(ContoursCsv.FILE);
+		if (!Files.isRegularFile(file))
+			throw new IllegalArgumentException("The folder " + folder + " has no "
+				+ ContoursCsv.FILE + "; give the folder that 'resolve' wrote.");
+		final Path table = folder.resolve(FramesCsv.FILE);
+		final int count = Files.isRegularFile(table) ? CsvFile.read(table).size() - 1 : 0;
+		final Calibration units = unit(file, CsvFile.read(file));
+		final Path json = folder.resolve(ParametersJson.FILE);
+		return new ContourInput(folder.toAbsolutePath().normalize().getFileName().toString(),
+			frames(file, ContoursCsv.read(file), count),
+			Files.isRegularFile(json) ? calibration(json, units) : units);
+	}
+
+	private static List<Optional<Polyline>> frames(final Path file,
+		final SortedMap<Integer, Polyline> contours, final int count) {
+		if (contours.isEmpty())
+			throw new IllegalArgumentException(
+				file + " has no contour, so there is nothing to measure.");
+		final int n = Math.max(count, contours.lastKey());
+		if (n > MOST_FRAMES)
+			throw new IllegalArgumentException(file + " names frame " + n + ", more than the "
+				+ MOST_FRAMES + " that can be measured; check the column.");
+		final List<Optional<Polyline>> frames = new ArrayList<>();
+		for (int frame = 1; frame <= n; frame++)
+			frames.add(Optional.ofNullable(contours.get(frame)));
+		return frames;
+	}
+
+	/** Rows of frame, x, y; 1-based pixels. */
+	private static SortedMap<Integer, Polyline> original(final Path file,
+		final List<CSVRecord> records) {
+		final SortedMap<Integer, List<Point>> points = new TreeMap<>();
+		for (final CSVRecord record : records) {
+			final String place = file.getFileName() + ", line " + record.getRecordNumber();
+			if (record.size() != 3)
+				throw new IllegalArgumentException(
+					place + ", has " + record.size() + " columns, but needs three: frame, x, y.");
+			final int frame = OptionText.wholeNumber(place + ": frame",
+				CsvFile.withoutByteOrderMark(record.get(0)), 1);
+			points.computeIfAbsent(frame, f -> new ArrayList<>())
+				.add(new Point(OptionText.number(place + ": x", record.get(1)) - 1,
+					OptionText.number(place + ": y", record.get(2)) - 1));
+		}
+		final SortedMap<Integer, Polyline> contours = new TreeMap<>();
+		points.forEach((frame, list) -> contours.put(frame, Polyline.of(list)));
+		return contours;
+	}
+
+	/** The unit and pixel size that the columns unit, x and x_px tell. */
+	private static Calibration unit(final Path file, final List<CSVRecord> records) {
+		final List<String> header = records.get(0).stream()
+			.map(h -> CsvFile.withoutByteOrderMark(h).toLowerCase(Locale.ROOT)).toList();
+		final int unit = header.indexOf("unit"), x = header.indexOf("x"),
+			px = header.indexOf("x_px");
+		if (unit < 0 || x < 0 || px < 0)
+			return Calibration.NONE;
+		final Set<String> units = new TreeSet<>();
+		double sum = 0, sumPx = 0;
+		for (final CSVRecord record : records.subList(1, records.size())) {
+			if (record.size() <= unit)
+				continue;
+			units.add(record.get(unit));
+			sum += OptionText.number("x", record.get(x));
+			sumPx += OptionText.number("x_px", record.get(px));
+		}
+		if (units.size() > 1)
+			throw new IllegalArgumentException(file + " mixes the units " + String.join(", ", units)
+				+ "; give contours in one unit.");
+		return units.isEmpty() || !(sum / sumPx > 0)
+			? Calibration.NONE
+			: new Calibration(sum / sumPx, units.iterator().next(), 1, Calibration.NONE.timeUnit());
+	}
+
+	private static Calibration calibration(final Path json, final Calibration units) {
+		try (Reader reader = Files.newBufferedReader(json, StandardCharsets.UTF_8)) {
+			final JsonObject root = JsonParser.parseReader(reader).getAsJsonObject();
+			// Results keep their options apart, measurements do not.
+			final JsonObject options = root.has("options") ? root.getAsJsonObject("options") : root;
+			final Optional<Double> size = number(options, "pixel_size"),
+				interval = number(options, "frame_interval");
+			final String time = options.has("time_unit")
+				? options.get("time_unit").getAsString()
+				: interval.isPresent() ? "s" : Calibration.NONE.timeUnit();
+			return new Calibration(size.orElse(units.pixelSize()), units.unit(),
+				interval.orElse(1.0), time);
+		} catch (final IOException | JsonParseException | IllegalStateException | ClassCastException
+			| NumberFormatException e) {
+			throw new IllegalArgumentException(
+				json + " is damaged; resolve the movie again, or give its contours.csv alone.", e);
+		}
+	}
+
+	private static Optional<Double> number(final JsonObject options, final String key) {
+		final JsonElement value = options.get(key);
+		return value == null || value.isJsonNull()
+			? Optional.empty()
+			: Optional.of(value.getAsDouble());
+	}
+
+	private static String stem(final Path file) {
+		final String name = file.getFileName().toString();
+		final int dot = name.lastIndexOf('.');
+		return dot > 0 ? name.substring(0, dot) : name;
+	}
+}

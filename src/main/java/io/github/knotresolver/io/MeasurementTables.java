@@ -1,0 +1,177 @@
+package io.github.knotresolver.io;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+import com.google.gson.GsonBuilder;
+
+import org.apache.commons.csv.CSVPrinter;
+
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.measure.ContourGeometry;
+import io.github.knotresolver.measure.DominantFrequency;
+import io.github.knotresolver.measure.FrameMeasurement;
+import io.github.knotresolver.measure.Kymograph;
+import io.github.knotresolver.measure.MovieMeasurements;
+import io.github.knotresolver.measure.Quantity;
+import io.github.knotresolver.measure.TravellingWave;
+
+/**
+ * Measurements as tidy tables: {@code contours.csv} has one row a point of
+ * the smoothed contour,
+ * {@code frames.csv} one row a frame, {@code crossings.csv} one row a crossing,
+ * {@code oscillations.csv} one row a quantity, {@code waves.csv} one row a
+ * field; {@code parameters.json} holds what they were made with. Columns that
+ * end in {@code _se} are standard errors; what is missing is empty.
+ */
+public final class MeasurementTables {
+
+	/** The quantities whose oscillation is looked for. */
+	private static final List<Quantity> OSCILLATING = List.of(Quantity.TIP_ANGLE,
+		Quantity.END_TO_END, Quantity.BENDING_ENERGY);
+
+	private final MovieMeasurements movie;
+
+	/** @param movie the measurements */
+	public MeasurementTables(final MovieMeasurements movie) {
+		this.movie = movie;
+	}
+
+	/**
+	 * Writes all tables.
+	 *
+	 * @param folder an existing folder
+	 * @throws IOException if the disk says no
+	 */
+	public void write(final Path folder) throws IOException {
+		writePoints(folder.resolve(ContoursCsv.FILE));
+		writeFrames(folder.resolve(FramesCsv.FILE));
+		writeCrossings(folder.resolve("crossings.csv"));
+		writeOscillations(folder.resolve("oscillations.csv"));
+		writeWaves(folder.resolve("waves.csv"));
+		writeParameters(folder.resolve(ParametersJson.FILE));
+	}
+
+	private void writePoints(final Path file) throws IOException {
+		try (CSVPrinter csv = CsvFile.create(file, "frame", "index", "x_px", "y_px", "x", "y",
+			"arc_length", "tangent_angle", "tangent_angle_se", "curvature", "curvature_se",
+			"unit")) {
+			for (final FrameMeasurement f : movie.measured()) {
+				final ContourGeometry g = f.geometry().orElseThrow();
+				final Polyline smooth = g.smoothedPx();
+				final double[][] columns = {g.x(), g.y(), g.arcLength(), f.tangentAngle(),
+					g.noise().tangentAngle(), g.curvature(), g.noise().curvature()};
+				for (int i = 0; i < g.size(); i++) {
+					final List<Object> row = new ArrayList<>(List.of(f.frame(), i,
+						NumberText.pixels(smooth.x(i)), NumberText.pixels(smooth.y(i))));
+					for (final double[] column : columns)
+						row.add(NumberText.significant(column[i]));
+					row.add(movie.calibration().unit());
+					csv.printRecord(row);
+				}
+			}
+		}
+	}
+
+	private void writeFrames(final Path file) throws IOException {
+		final List<String> header = new ArrayList<>(List.of("frame", "time"));
+		for (final Quantity q : Quantity.values()) {
+			header.add(q.key());
+			if (q != Quantity.CROSSINGS)
+				header.add(q.key() + "_se");
+		}
+		header.addAll(List.of("unit", "energy_unit", "time_unit"));
+		try (CSVPrinter csv = CsvFile.create(file, header.toArray(String[]::new))) {
+			final double[] time = movie.times();
+			for (final FrameMeasurement f : movie.frames()) {
+				final List<Object> row = new ArrayList<>(
+					List.of(f.frame(), NumberText.significant(time[f.frame() - 1])));
+				for (final Quantity q : Quantity.values()) {
+					row.add(NumberText.significant(f.get(q).value()));
+					if (q != Quantity.CROSSINGS)
+						row.add(NumberText.significant(f.get(q).standardError()));
+				}
+				row.addAll(List.of(movie.calibration().unit(), movie.unit(Quantity.BENDING_ENERGY),
+					movie.calibration().timeUnit()));
+				csv.printRecord(row);
+			}
+		}
+	}
+
+	private void writeCrossings(final Path file) throws IOException {
+		try (CSVPrinter csv = CsvFile.create(file, "frame", "x_px", "y_px")) {
+			for (final FrameMeasurement f : movie.frames())
+				for (final Point p : f.crossings())
+					csv.printRecord(f.frame(), NumberText.pixels(p.x()), NumberText.pixels(p.y()));
+		}
+	}
+
+	private void writeOscillations(final Path file) throws IOException {
+		try (CSVPrinter csv = CsvFile.create(file, "quantity", "dominant_frequency",
+			"dominant_frequency_se", "frequency_unit", "amplitude", "amplitude_unit", "phase",
+			"false_alarm_probability")) {
+			for (final Quantity q : OSCILLATING) {
+				final Optional<DominantFrequency> d = movie.dominantFrequency(q);
+				if (d.isPresent())
+					csv.printRecord(q.key(), NumberText.significant(d.get().frequency()),
+						NumberText.significant(d.get().standardError()), movie.frequencyUnit(),
+						NumberText.significant(d.get().amplitude()), movie.unit(q),
+						NumberText.significant(d.get().phase()),
+						NumberText.significant(d.get().falseAlarmProbability()));
+			}
+		}
+	}
+
+	private void writeWaves(final Path file) throws IOException {
+		final Map<String, Kymograph> fields = new LinkedHashMap<>();
+		fields.put("tangent_angle", movie.tangentAngleKymograph());
+		fields.put("curvature", movie.curvatureKymograph());
+		try (CSVPrinter csv = CsvFile.create(file, "field", "frequency", "frequency_unit", "speed",
+			"speed_se", "speed_unit", "wavelength", "amplitude", "place", "coherence", "unit")) {
+			for (final Map.Entry<String, Kymograph> field : fields.entrySet()) {
+				final Optional<TravellingWave> wave = TravellingWave.of(field.getValue());
+				if (wave.isPresent())
+					csv.printRecord(row(field.getKey(), wave.get()));
+			}
+		}
+	}
+
+	private List<Object> row(final String field, final TravellingWave w) {
+		final String unit = movie.calibration().unit();
+		return List.of(field, NumberText.significant(w.frequency()), movie.frequencyUnit(),
+			NumberText.significant(w.speed()), NumberText.significant(w.speedError()),
+			unit + "/" + movie.calibration().timeUnit(), NumberText.significant(w.wavelength()),
+			NumberText.significant(w.amplitude()), NumberText.significant(w.place()),
+			NumberText.significant(w.coherence()), unit);
+	}
+
+	private void writeParameters(final Path file) throws IOException {
+		final Map<String, Object> json = new LinkedHashMap<>();
+		json.put("program", ProgramVersion.NAME);
+		json.put("version", ProgramVersion.get());
+		json.put("contours", movie.name());
+		json.put("frames", movie.frames().size());
+		json.put("measured_frames", movie.measured().size());
+		json.put("smoothing_window",
+			Double.valueOf(NumberText.significant(movie.smoothing().window())));
+		json.put("smoothing_order", movie.smoothing().order());
+		json.put("rigidity", movie.rigidity().kind().name().toLowerCase(java.util.Locale.ROOT));
+		json.put("rigidity_value", movie.rigidity().value());
+		json.put("pixel_size", movie.calibration().pixelSize());
+		json.put("unit", movie.calibration().unit());
+		json.put("frame_interval", movie.calibration().frameInterval());
+		json.put("time_unit", movie.calibration().timeUnit());
+		Files.writeString(file,
+			new GsonBuilder().setPrettyPrinting().disableHtmlEscaping().create().toJson(json)
+				+ "\n",
+			StandardCharsets.UTF_8);
+	}
+}

@@ -1,0 +1,163 @@
+package io.github.knotresolver.imagej.plot;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+import javax.imageio.ImageIO;
+
+import org.jfree.chart.JFreeChart;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import ij.IJ;
+import ij.ImagePlus;
+import ij.ImageStack;
+import ij.gui.Plot;
+import ij.measure.ResultsTable;
+import ij.process.ColorProcessor;
+import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.measure.MovieMeasurements;
+import io.github.knotresolver.measure.Quantity;
+import io.github.knotresolver.progress.CancelledException;
+import io.github.knotresolver.progress.Progress;
+
+class FiguresTest {
+
+	private static final int MISSING = 4;
+
+	@TempDir
+	private Path folder;
+
+	@BeforeAll
+	static void needNoDisplay() {
+		System.setProperty("java.awt.headless", "true");
+	}
+
+	@Test
+	void everyFigureIsWrittenForPrint() throws IOException {
+		final List<Path> files = Figures.writeAll(folder, movie(20), Progress.NONE);
+		assertEquals(16, files.size());
+		for (final Path file : files)
+			assertTrue(Files.size(file) > 1000, file.toString());
+		final BufferedImage png = ImageIO.read(folder.resolve("curvature_kymograph.png").toFile());
+		assertEquals(1800, png.getWidth());
+		final String svg = Files.readString(folder.resolve("end_to_end.svg"));
+		assertTrue(svg.contains("Time [s]"), "axis with unit");
+	}
+
+	@Test
+	void sameMeasurementsGiveTheSameBytes() throws IOException {
+		final Path a = Files.createDirectory(folder.resolve("a")),
+			b = Files.createDirectory(folder.resolve("b"));
+		Figures.writeAll(a, movie(12), Progress.NONE);
+		for (final Path file : Figures.writeAll(b, movie(12), Progress.NONE))
+			assertArrayEquals(Files.readAllBytes(a.resolve(file.getFileName())),
+				Files.readAllBytes(file), file.getFileName().toString());
+	}
+
+	@Test
+	void kymographImagesAreCalibratedAndMissingFramesAreNaN() throws IOException {
+		Figures.writeKymographs(folder, movie(10));
+		final ImagePlus image = IJ.openImage(folder.resolve("curvature_kymograph.tif").toString());
+		assertEquals(32, image.getBitDepth());
+		assertEquals(10, image.getHeight());
+		assertEquals(0.1, image.getCalibration().pixelWidth, 0.001);
+		assertEquals(2, image.getCalibration().pixelHeight, 1e-9);
+		assertEquals("s", image.getCalibration().getYUnit());
+		assertEquals(0.25, image.getProcessor().getf(20, 2), 0.01);
+		assertTrue(Float.isNaN(image.getProcessor().getf(20, MISSING)));
+	}
+
+	@Test
+	void missingFramesAreGreyInTheChart() {
+		final JFreeChart chart = Figures.charts(movie(10)).get("tangent_angle_kymograph");
+		final BufferedImage picture = chart.createBufferedImage(600, 400);
+		int grey = 0;
+		for (int x = 0; x < 600; x++)
+			if (new Color(picture.getRGB(x, 200)).equals(ColourMap.MISSING))
+				grey++;
+		// One of ten frames of a chart that is about 400 points wide.
+		assertTrue(grey > 25 && grey < 60, grey + " grey pixels");
+	}
+
+	@Test
+	void twoSidedColoursAreWhiteAtZeroAndDifferAtTheEnds() {
+		final ColourMap map = ColourMap.twoSided(2);
+		assertEquals(new Color(0xf7f7f7), map.colour(0));
+		assertEquals(map.colour(-2), map.colour(-5));
+		assertTrue(map.colour(-2).getBlue() > map.colour(-2).getRed());
+		assertTrue(map.colour(2).getRed() > map.colour(2).getBlue());
+	}
+
+	@Test
+	void livePlotsAndTablesHoldTheNumbersWithUnits() {
+		final MovieMeasurements m = movie(10);
+		final Plot plot = LivePlots.series(m, Quantity.LENGTH);
+		assertEquals(10, plot.getXValues().length);
+		assertTrue(Float.isNaN(plot.getYValues()[MISSING]));
+		final ResultsTable table = LivePlots.table(m);
+		assertEquals(10, table.size());
+		assertEquals(2 * Math.PI, table.getValue("length [µm]", 0), 0.01);
+		assertTrue(Double.isNaN(table.getValue("tip_angle [rad]", MISSING)));
+		assertTrue(table.columnExists("bending_energy_se [1/µm]"));
+		assertFalse(table.columnExists("crossings_se"));
+	}
+
+	@Test
+	void filmHasAllFramesAndRefusesOddSpeeds() throws IOException {
+		final ImageStack stack = new ImageStack(32, 24);
+		for (int i = 0; i < 5; i++)
+			stack.addSlice(new ColorProcessor(32, 24));
+		final Path file = folder.resolve("overlay.avi");
+		AnimatedOverlay.write(file, new ImagePlus("overlay", stack), 10);
+		assertEquals(5, IJ.openImage(file.toString()).getStackSize());
+		assertThrows(IllegalArgumentException.class,
+			() -> AnimatedOverlay.write(file, new ImagePlus("overlay", stack), 0));
+	}
+
+	@Test
+	void cancelStopsDrawing() {
+		final Progress cancelled = new Progress() {
+
+			@Override
+			public void report(final String stage, final double fraction) {
+			}
+
+			@Override
+			public boolean isCancelled() {
+				return true;
+			}
+		};
+		assertThrows(CancelledException.class,
+			() -> Figures.writeAll(folder, movie(10), cancelled));
+	}
+
+	/** Quarters of a circle of 40 px that swing to and fro. */
+	private static MovieMeasurements movie(final int frames) {
+		final List<Optional<Polyline>> contours = new ArrayList<>();
+		for (int f = 0; f < frames; f++) {
+			final double[] x = new double[64], y = new double[64];
+			for (int i = 0; i < 64; i++) {
+				final double a = Math.PI / 2 * i / 63 + 0.3 * Math.sin(0.9 * f);
+				x[i] = 100 + 40 * Math.cos(a);
+				y[i] = 100 + 40 * Math.sin(a);
+			}
+			contours.add(f == MISSING ? Optional.empty() : Optional.of(Polyline.of(x, y)));
+		}
+		return MovieMeasurements.of("swing", contours, new Calibration(0.1, "µm", 2, "s"));
+	}
+}
