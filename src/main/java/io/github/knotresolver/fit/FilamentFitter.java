@@ -59,39 +59,15 @@ public final class FilamentFitter {
 	}
 
 	/**
-	 * The best chain of the same length near a start.
+	 * The best chain near a start: of the same length, unless the settings let the length
+	 * go.
 	 *
 	 * @param start where to begin
 	 * @param predicted the shape it is expected to have, if there is one
 	 * @return the fit
 	 */
 	public Fit fit(final Chain start, final Optional<Chain> predicted) {
-		return descend(start, predicted, false);
-	}
-
-	/**
-	 * The best chain near a start, of any length.
-	 *
-	 * @param start where to begin
-	 * @return the fit
-	 */
-	public Fit fitLength(final Chain start) {
-		return descend(start, Optional.empty(), true);
-	}
-
-	/**
-	 * The energy of a chain as it is.
-	 *
-	 * @param chain the chain
-	 * @return the chain with its prices
-	 */
-	public Fit price(final Chain chain) {
-		final double light = light(chain, null);
-		return new Fit(chain, light, light + stiffnessAndClamp(chain), 0);
-	}
-
-	private Fit descend(final Chain start, final Optional<Chain> predicted,
-		final boolean freeLength) {
+		final boolean freeLength = settings.freeLength();
 		final ReducedSystem system = new ReducedSystem(links, freeLength);
 		Chain chain = start;
 		double light = light(chain, nodes);
@@ -126,6 +102,17 @@ public final class FilamentFitter {
 			light(chain, nodes);
 		}
 		return new Fit(chain, light, light + stiffnessAndClamp(chain), iteration);
+	}
+
+	/**
+	 * The energy of a chain as it is.
+	 *
+	 * @param chain the chain
+	 * @return the chain with its prices
+	 */
+	public Fit price(final Chain chain) {
+		final double light = light(chain, null);
+		return new Fit(chain, light, light + stiffnessAndClamp(chain), 0);
 	}
 
 	private double light(final Chain chain, final NodeSystem system) {

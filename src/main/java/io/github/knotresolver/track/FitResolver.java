@@ -39,19 +39,22 @@ public final class FitResolver {
 
 	private final CandidateGenerator generator;
 	private final Set<LineModel.Kind> kinds;
+	private final boolean freeLength;
 	private final Workers workers;
 	private final Progress progress;
 
 	/**
 	 * @param generator proposes contours
 	 * @param kinds how strands may add up in this movie, at least one
+	 * @param freeLength whether the filament may grow and shrink
 	 * @param workers threads
 	 * @param progress told how far the work is, and asked whether to stop
 	 */
 	public FitResolver(final CandidateGenerator generator, final Set<LineModel.Kind> kinds,
-		final Workers workers, final Progress progress) {
+		final boolean freeLength, final Workers workers, final Progress progress) {
 		this.generator = generator;
 		this.kinds = EnumSet.copyOf(kinds);
+		this.freeLength = freeLength;
 		this.workers = workers;
 		this.progress = progress;
 	}
@@ -87,9 +90,12 @@ public final class FitResolver {
 			: learned;
 		final List<CandidateSet> sets = candidates(frames, fixedEnd,
 			OptionalDouble.of(estimate.length()));
-		final List<List<Fit>> pools = pools(frames, estimate, sets, corrections);
-		return Optional.of(new Resolved(estimate,
-			new FitTrellis(frames, estimate, pools, sets).solve(corrections.keySet(), progress)));
+		final List<NormalizedFrame> light = frames.stream()
+			.map(f -> f.light().rescaled(0, estimate.amplitude())).toList();
+		final List<List<Fit>> pools = pools(frames, light, estimate, sets, corrections);
+		return Optional
+			.of(new Resolved(estimate, new FitTrellis(frames, light, estimate, pools, sets)
+				.solve(corrections.keySet(), progress)));
 	}
 
 	private List<CandidateSet> candidates(final List<FrameView> frames, final Point fixedEnd,
@@ -98,15 +104,14 @@ public final class FitResolver {
 			.generate(CandidateQuery.of(frames.get(t).graph(), fixedEnd, length), progress));
 	}
 
-	private List<List<Fit>> pools(final List<FrameView> frames, final FilamentEstimate estimate,
-		final List<CandidateSet> sets, final Map<Integer, Polyline> corrections) {
+	private List<List<Fit>> pools(final List<FrameView> frames, final List<NormalizedFrame> light,
+		final FilamentEstimate estimate, final List<CandidateSet> sets,
+		final Map<Integer, Polyline> corrections) {
 		final int n = frames.size();
-		final List<NormalizedFrame> light = frames.stream()
-			.map(f -> f.light().rescaled(0, estimate.amplitude())).toList();
 		final IntFunction<FilamentFitter> fitters = t -> new FilamentFitter(light.get(t),
 			estimate.model(), FilamentEstimator.links(estimate.length()),
-			Optional.of(estimate.fixedEnd()), FitSettings.DEFAULT);
-		final FitProposals proposer = FitProposals.with(estimate);
+			Optional.of(estimate.fixedEnd()), FitSettings.DEFAULT.withFreeLength(freeLength));
+		final FitProposals proposer = new FitProposals(estimate, freeLength);
 		progress.report("Fitting the graph's candidates", 0.5);
 		final List<List<Fit>> proposals = workers.map(n, t -> {
 			progress.checkCancelled();
@@ -117,17 +122,15 @@ public final class FitResolver {
 		});
 		progress.report("Following the filament forwards and backwards", 0.7);
 		final Propagation propagation = new Propagation(WIDTH, MotionPrice.learn(proposals),
-			fitters, proposals, progress);
+			fitters, proposals, t -> corrections.containsKey(frames.get(t).frame()), progress);
 		final List<List<List<Fit>>> walks = workers.map(2, direction -> propagation
 			.walk(IntStream.range(0, n).map(i -> direction == 0 ? i : n - 1 - i).toArray()));
 		final List<List<Fit>> pools = new ArrayList<>();
 		for (int t = 0; t < n; t++) {
 			final FitPool pool = new FitPool();
 			proposals.get(t).forEach(pool::add);
-			if (!corrections.containsKey(frames.get(t).frame())) {
-				walks.get(0).get(t).forEach(pool::add);
-				walks.get(1).get(n - 1 - t).forEach(pool::add);
-			}
+			walks.get(0).get(t).forEach(pool::add);
+			walks.get(1).get(n - 1 - t).forEach(pool::add);
 			pools.add(pool.fits());
 		}
 		return pools;

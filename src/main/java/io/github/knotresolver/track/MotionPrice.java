@@ -28,7 +28,7 @@ record MotionPrice(double usualMotion, double usualTurn) {
 	private static final double USUAL = Double.parseDouble(System.getProperty("mu", "0.2"));
 
 	/** Price of each further multiple of usual motion. */
-	private static final double FURTHER = Double.parseDouble(System.getProperty("mf", "1.5"));
+	private static final double FURTHER = Double.parseDouble(System.getProperty("mf", "0.7"));
 
 	/**
 	 * Learns what is usual from the best fits of neighbouring frames, each for itself.
