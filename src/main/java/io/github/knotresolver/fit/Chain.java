@@ -131,7 +131,7 @@ public final class Chain {
 		other.nodes(bx, by);
 		double sum = 0;
 		for (int i = 0; i < n; i++)
-			sum += Math.hypot(ax[i] - bx[i], ay[i] - by[i]);
+			sum += Math.sqrt((ax[i] - bx[i]) * (ax[i] - bx[i]) + (ay[i] - by[i]) * (ay[i] - by[i]));
 		return sum / n;
 	}
 

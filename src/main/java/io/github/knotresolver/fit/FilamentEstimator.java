@@ -12,6 +12,7 @@ import io.github.knotresolver.fit.LineEstimator.Example;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
 
 /**
  * Learns the line model, the filament's length and its fixed end from frames in
@@ -44,16 +45,17 @@ public final class FilamentEstimator {
 	 * @param sightings at least one; those that are clearest first
 	 * @param kinds how strands may add up; the kind that explains the sightings best is
 	 *          taken
+	 * @param workers threads
 	 * @param progress asked whether to stop
 	 * @return what they say together
 	 */
 	public static FilamentEstimate estimate(final List<Sighting> sightings,
-		final Collection<LineModel.Kind> kinds, final Progress progress) {
+		final Collection<LineModel.Kind> kinds, final Workers workers, final Progress progress) {
 		final List<Example> seen = new ArrayList<>();
 		for (final Sighting s : sightings)
 			seen.add(new Example(s.frame,
 				Chain.along(s.contour, links(s.contour.length()), s.contour.length())));
-		return kinds.stream().map(kind -> learn(seen, kind, progress))
+		return kinds.stream().map(kind -> learn(seen, kind, workers, progress))
 			.min(Comparator.comparingDouble(l -> l.line.residual())).map(Learned::summary)
 			.orElseThrow();
 	}
@@ -67,12 +69,12 @@ public final class FilamentEstimator {
 	}
 
 	private static Learned learn(final List<Example> seen, final LineModel.Kind kind,
-		final Progress progress) {
+		final Workers workers, final Progress progress) {
 		List<Example> examples = seen;
 		Estimate line = line(examples, kind, FIRST_SIGMA);
 		for (int round = 0; round < ROUNDS; round++) {
 			progress.checkCancelled();
-			examples = refit(examples, line);
+			examples = refit(examples, line, workers);
 			line = line(examples, kind, line.model().sigma());
 		}
 		return new Learned(examples, line);
@@ -84,15 +86,15 @@ public final class FilamentEstimator {
 			kind, sigma);
 	}
 
-	private static List<Example> refit(final List<Example> examples, final Estimate line) {
-		final List<Example> better = new ArrayList<>();
-		for (final Example e : examples) {
+	private static List<Example> refit(final List<Example> examples, final Estimate line,
+		final Workers workers) {
+		return workers.map(examples.size(), i -> {
+			final Example e = examples.get(i);
 			final NormalizedFrame frame = e.frame().rescaled(line.background(), line.amplitude());
 			final FilamentFitter fitter = new FilamentFitter(frame, line.model(), e.chain().links(),
 				Optional.empty(), FREE);
-			better.add(new Example(e.frame(), fitter.fit(e.chain(), Optional.empty()).chain()));
-		}
-		return better;
+			return new Example(e.frame(), fitter.fit(e.chain(), Optional.empty()).chain());
+		});
 	}
 
 	private static FilamentEstimate summary(final List<Example> examples, final Estimate line) {

@@ -28,8 +28,22 @@ public final class LineEstimator {
 	private LineEstimator() {
 	}
 
-	/** A frame and the curve in it. */
-	public record Example(NormalizedFrame frame, Chain chain) {
+	/**
+	 * A frame and the curve in it.
+	 *
+	 * @param frame the frame
+	 * @param chain the curve
+	 * @param near for every pixel whether it is looked at
+	 */
+	public record Example(NormalizedFrame frame, Chain chain, boolean[] near) {
+
+		/**
+		 * @param frame the frame
+		 * @param chain the curve
+		 */
+		public Example(final NormalizedFrame frame, final Chain chain) {
+			this(frame, chain, Neighbourhood.of(frame, chain, NEIGHBOURHOOD));
+		}
 	}
 
 	/**
@@ -94,10 +108,8 @@ public final class LineEstimator {
 		for (final Example example : examples) {
 			final double[] pixels = example.frame.pixels();
 			final double[] picture = Neighbourhood.draw(example.frame(), model, example.chain());
-			final boolean[] near = Neighbourhood.of(example.frame(), example.chain(),
-				NEIGHBOURHOOD);
 			for (int i = 0; i < picture.length; i++)
-				if (near[i]) {
+				if (example.near[i]) {
 					n++;
 					sumM += picture[i];
 					sumI += pixels[i];

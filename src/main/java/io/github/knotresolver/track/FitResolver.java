@@ -84,7 +84,8 @@ public final class FitResolver {
 		if (sightings.isEmpty())
 			return Optional.empty();
 		progress.report("Learning what the filament looks like", 0.4);
-		final FilamentEstimate learned = FilamentEstimator.estimate(sightings, kinds, progress);
+		final FilamentEstimate learned = FilamentEstimator.estimate(sightings, kinds, workers,
+			progress);
 		final FilamentEstimate estimate = length.isPresent()
 			? learned.withLength(length.getAsDouble())
 			: learned;

@@ -23,8 +23,11 @@ final class Propagation {
 	/** Share of the last step that is expected to go on. */
 	private static final double INERTIA = 0.7;
 
+	/** Motion below this (pixels) needs no start of its own. */
+	private static final double SLOW = 0.75;
+
 	/** A hypothesis that is this much more expensive than the best is dropped. */
-	private static final double HOPELESS = 25;
+	private static final double HOPELESS = 12;
 
 	private final int width;
 	private final MotionPrice motion;
@@ -85,7 +88,8 @@ final class Propagation {
 			final Chain here = h.fit.chain();
 			final Optional<Chain> heading = h.before.map(b -> here.extrapolated(b, INERTIA));
 			final List<Chain> starts = new ArrayList<>(List.of(here));
-			h.before.ifPresent(b -> starts.add(here.extrapolated(b, 1)));
+			h.before.map(b -> here.extrapolated(b, 1)).filter(s -> s.distance(here) > SLOW)
+				.ifPresent(starts::add);
 			for (final Chain start : starts) {
 				final Fit fit = fitter.fit(start, Optional.of(heading.orElse(here)));
 				fits.add(fit);
