@@ -29,6 +29,9 @@ public final class FilamentEstimator {
 	/** A fitted frame whose length is farther off (relative) does not vote. */
 	private static final double OUTLIER = 0.06;
 
+	/** A profile with a smaller power is a Gaussian. */
+	private static final double FLAT = 1.06;
+
 	private static final double FIRST_SIGMA = 1.8;
 
 	/** A fit with both ends free. */
@@ -55,13 +58,23 @@ public final class FilamentEstimator {
 		for (final Sighting s : sightings)
 			seen.add(new Example(s.frame,
 				Chain.along(s.contour, links(s.contour.length()), s.contour.length())));
-		return kinds.stream().map(kind -> learn(seen, kind, workers, progress))
-			.min(Comparator.comparingDouble(l -> l.line.residual())).map(Learned::summary)
-			.orElseThrow();
+		final List<Learned> learned = kinds.stream()
+			.map(kind -> learn(seen, kind, workers, progress)).toList();
+		return learned.stream().filter(l -> learned.size() == 1 || l.isPlausible())
+			.min(Comparator.comparingDouble(l -> l.line.residual())).orElse(learned.get(0))
+			.summary();
 	}
 
 	/** A line and the curves that were fitted with it. */
 	private record Learned(List<Example> examples, Estimate line) {
+
+		/**
+		 * A line that is not clipped and yet saturates is flat on top; where it is not, the
+		 * light is that of a lens, which adds up.
+		 */
+		boolean isPlausible() {
+			return line.model().kind() == LineModel.Kind.ADDITIVE || line.model().power() > FLAT;
+		}
 
 		FilamentEstimate summary() {
 			return FilamentEstimator.summary(examples, line);

@@ -13,6 +13,7 @@ import java.util.stream.IntStream;
 import io.github.knotresolver.candidate.CandidateGenerator;
 import io.github.knotresolver.candidate.CandidateQuery;
 import io.github.knotresolver.candidate.CandidateSet;
+import io.github.knotresolver.fit.Bleaching;
 import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.fit.FilamentEstimator;
 import io.github.knotresolver.fit.FilamentEstimator.Sighting;
@@ -79,24 +80,38 @@ public final class FitResolver {
 	 */
 	public Optional<Resolved> resolve(final List<FrameView> frames, final Point fixedEnd,
 		final OptionalDouble length, final Map<Integer, Polyline> corrections) {
-		final List<Sighting> sightings = Sightings.choose(frames,
-			candidates(frames, fixedEnd, OptionalDouble.empty()));
-		if (sightings.isEmpty())
-			return Optional.empty();
+		final List<CandidateSet> first = candidates(frames, fixedEnd, OptionalDouble.empty());
+		final List<FrameView> steady = withoutBleaching(frames, first);
+		final List<Sighting> sightings = Sightings.choose(steady, first);
+		return sightings.isEmpty()
+			? Optional.empty()
+			: Optional.of(resolve(steady, fixedEnd, estimate(sightings, length), corrections));
+	}
+
+	private List<FrameView> withoutBleaching(final List<FrameView> frames,
+		final List<CandidateSet> sets) {
+		final Bleaching bleaching = Bleaching.learn(IntStream.range(0, frames.size())
+			.mapToDouble(t -> StrandLight.of(frames.get(t), sets.get(t))).toArray());
+		return IntStream.range(0, frames.size())
+			.mapToObj(t -> frames.get(t).scaled(bleaching.factor(t))).toList();
+	}
+
+	private FilamentEstimate estimate(final List<Sighting> sightings, final OptionalDouble length) {
 		progress.report("Learning what the filament looks like", 0.4);
 		final FilamentEstimate learned = FilamentEstimator.estimate(sightings, kinds, workers,
 			progress);
-		final FilamentEstimate estimate = length.isPresent()
-			? learned.withLength(length.getAsDouble())
-			: learned;
+		return length.isPresent() ? learned.withLength(length.getAsDouble()) : learned;
+	}
+
+	private Resolved resolve(final List<FrameView> frames, final Point fixedEnd,
+		final FilamentEstimate estimate, final Map<Integer, Polyline> corrections) {
 		final List<CandidateSet> sets = candidates(frames, fixedEnd,
 			OptionalDouble.of(estimate.length()));
 		final List<NormalizedFrame> light = frames.stream()
 			.map(f -> f.light().rescaled(0, estimate.amplitude())).toList();
 		final List<List<Fit>> pools = pools(frames, light, estimate, sets, corrections);
-		return Optional
-			.of(new Resolved(estimate, new FitTrellis(frames, light, estimate, pools, sets)
-				.solve(corrections.keySet(), progress)));
+		return new Resolved(estimate, new FitTrellis(frames, light, estimate, pools, sets)
+			.solve(corrections.keySet(), progress));
 	}
 
 	private List<CandidateSet> candidates(final List<FrameView> frames, final Point fixedEnd,
