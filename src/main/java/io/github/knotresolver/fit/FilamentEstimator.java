@@ -23,6 +23,9 @@ public final class FilamentEstimator {
 
 	private static final int ROUNDS = 3;
 
+	/** Rounds for a filament that is not equally bright everywhere. */
+	private static final int BRIGHTNESS_ROUNDS = 3;
+
 	/** So many frames are enough to learn the line. */
 	private static final int LINE_EXAMPLES = 5;
 
@@ -89,6 +92,13 @@ public final class FilamentEstimator {
 			progress.checkCancelled();
 			examples = refit(examples, line, workers);
 			line = line(examples, kind, line.model().sigma());
+		}
+		for (int round = 0; round < BRIGHTNESS_ROUNDS; round++) {
+			final double[] brightness = BrightnessProfile.estimate(examples, line);
+			if (brightness.length == 1)
+				break;
+			line = line.withModel(line.model().withBrightness(brightness));
+			examples = refit(examples, line, workers);
 		}
 		return new Learned(examples, line);
 	}

@@ -5,7 +5,8 @@ package io.github.knotresolver.fit;
  * frames.
  *
  * @param misfit robust price of the pixels around the chain, per pixel of length
- * @param dark share of the chain, 0..1, that runs where there is hardly any light
+ * @param dark share of the chain inside the frame, 0..1, that runs where there is hardly any
+ *            light
  */
 public record FitQuality(double misfit, double dark) {
 
@@ -39,23 +40,30 @@ public record FitQuality(double misfit, double dark) {
 		final double[] x = new double[chain.links() + 1], y = new double[chain.links() + 1];
 		chain.nodes(x, y);
 		final double[] brightness = model.brightnessOfLinks(chain.links());
-		int dark = 0;
-		for (int i = 0; i < chain.links(); i++)
-			if (mean(frame, 0.5 * (x[i] + x[i + 1]), 0.5 * (y[i] + y[i + 1])) < DARK
-				* brightness[i])
-				dark++;
-		return (double) dark / chain.links();
+		int inside = 0, bright = 0;
+		for (int i = 0; i < chain.links(); i++) {
+			final double middleX = 0.5 * (x[i] + x[i + 1]), middleY = 0.5 * (y[i] + y[i + 1]);
+			if (middleX < 0 || middleY < 0 || middleX > frame.width() - 1
+				|| middleY > frame.height() - 1)
+				continue;
+			inside++;
+			if (mean(frame, middleX, middleY) >= DARK * brightness[i])
+				bright++;
+		}
+		return inside == 0 ? 1 : 1 - (double) bright / inside;
 	}
 
-	/** Mean of 3 x 3 pixels; outside the frame nothing is known, so it counts as bright. */
+	/** Mean of up to 3 x 3 pixels of the frame. */
 	private static double mean(final NormalizedFrame frame, final double x, final double y) {
 		final int column = (int) Math.rint(x), row = (int) Math.rint(y);
 		double sum = 0;
-		for (int r = row - 1; r <= row + 1; r++)
-			for (int c = column - 1; c <= column + 1; c++)
-				sum += r < 0 || c < 0 || r >= frame.height() || c >= frame.width()
-					? 1
-					: frame.pixels()[r * frame.width() + c];
-		return sum / 9;
+		int count = 0;
+		for (int r = Math.max(0, row - 1); r <= Math.min(frame.height() - 1, row + 1); r++)
+			for (int c = Math.max(0, column - 1); c <= Math.min(frame.width() - 1,
+				column + 1); c++) {
+				sum += frame.pixels()[r * frame.width() + c];
+				count++;
+			}
+		return sum / count;
 	}
 }

@@ -57,6 +57,10 @@ public final class LineEstimator {
 	 *          amplitude squared
 	 */
 	public record Estimate(LineModel model, double amplitude, double background, double residual) {
+
+		Estimate withModel(final LineModel other) {
+			return new Estimate(other, amplitude, background, residual);
+		}
 	}
 
 	/**
