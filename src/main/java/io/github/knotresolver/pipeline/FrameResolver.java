@@ -82,7 +82,7 @@ final class FrameResolver {
 		progress.report("Resolving", 0.4);
 		final Resolver resolver = parameters.resolver() == ResolverMethod.PAPER
 			? new GreedyResolver(generator())
-			: new TrellisResolver(generator());
+			: new TrellisResolver(generator(), TrellisResolver.DEFAULT_MOTION, workers);
 		return resolver.resolve(new ResolverQuery(followed(frames, fixedEnd), fixedEnd,
 			parameters.length(), parameters.corrections()), progress);
 	}

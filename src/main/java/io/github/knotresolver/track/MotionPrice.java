@@ -25,10 +25,10 @@ record MotionPrice(double usualMotion, double usualTurn) {
 	private static final double LEAST_TURN = 0.05;
 
 	/** Price of usual motion, in strand intensities squared. */
-	private static final double USUAL = Double.parseDouble(System.getProperty("mu", "0.2"));
+	private static final double USUAL = 0.2;
 
 	/** Price of each further multiple of usual motion. */
-	private static final double FURTHER = Double.parseDouble(System.getProperty("mf", "0.7"));
+	private static final double FURTHER = 0.7;
 
 	/**
 	 * Learns what is usual from the best fits of neighbouring frames, each for itself.
