@@ -1,9 +1,7 @@
 package io.github.knotresolver.track;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 
 import io.github.knotresolver.contour.DynamicTimeWarping;
 import io.github.knotresolver.contour.EqualArcDistance;
@@ -56,8 +54,9 @@ public final class ContourDistance implements EdgePrice {
 				"The weight of the distance must be at least 0, but is " + weight + ".");
 		final List<List<Polyline>> sampled = contours.stream()
 			.map(frame -> frame.stream().map(c -> c.every(STEP)).toList()).toList();
-		fromFrame = workers.map(sampled.size(), t -> distances(sampled.get(t), next(sampled, t),
-			progress)).toArray(double[][][]::new);
+		fromFrame = workers
+			.map(sampled.size(), t -> distances(sampled.get(t), next(sampled, t), progress))
+			.toArray(double[][][]::new);
 		this.weight = weight;
 		typical = typical();
 	}

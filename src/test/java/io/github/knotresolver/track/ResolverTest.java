@@ -131,8 +131,8 @@ class ResolverTest {
 		final ResolverQuery q = query(knot(0), knot(2), OPEN, OPEN, OPEN);
 		final Track one = MOVIE.resolve(q, Progress.NONE);
 		try (Workers workers = new Workers(4)) {
-			assertEquals(one, new TrellisResolver(TrailCandidates.DEFAULT, TrellisResolver.DEFAULT_MOTION,
-				workers).resolve(q, Progress.NONE));
+			assertEquals(one, new TrellisResolver(TrailCandidates.DEFAULT,
+				TrellisResolver.DEFAULT_MOTION, workers).resolve(q, Progress.NONE));
 		}
 	}
 
