@@ -145,9 +145,10 @@ public final class FilamentEstimator {
 
 	/**
 	 * @param length of a filament in pixels
-	 * @return how many links it is given: about 3 px each, but never fewer than 24
+	 * @return how many links it is given: about 3 px each, but never fewer than 45:
+	 *         a polygon whose links are long for its bends is longer than the curve
 	 */
 	public static int links(final double length) {
-		return Math.max(24, (int) Math.rint(length / 3));
+		return Math.max(45, (int) Math.rint(length / 3));
 	}
 }

@@ -63,7 +63,7 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentE
 		final Fit fit = pools.get(t).get(path.choice()[t]);
 		final boolean given = corrected.contains(frame);
 		return new TrackedFrame(frame, given ? FrameStatus.CORRECTED : FrameStatus.RESOLVED,
-			Outcome.limitReason(sets.get(t).limited()), Optional.of(fit.chain().polyline()),
+			Outcome.limitReason(sets.get(t).limited()), Optional.of(fit.chain().contour()),
 			frames.get(t).graph().junctions(), pools.get(t).size(), fit.energy(),
 			given ? 1 : confidence.of(FitConfidence.gap(path, pools.get(t), t), quality.get()));
 	}
