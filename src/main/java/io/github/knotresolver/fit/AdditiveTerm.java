@@ -75,6 +75,11 @@ final class AdditiveTerm implements ImageTerm {
 	}
 
 	@Override
+	public boolean couplesFarNodes() {
+		return true;
+	}
+
+	@Override
 	public void draw(final double[] x, final double[] y, final int links, final double[] picture) {
 		accumulate(x, y, links, false);
 		Arrays.fill(picture, 0);

@@ -116,6 +116,11 @@ final class SaturatingTerm implements ImageTerm {
 	}
 
 	@Override
+	public boolean couplesFarNodes() {
+		return false;
+	}
+
+	@Override
 	public void draw(final double[] x, final double[] y, final int links, final double[] picture) {
 		findBand(x, y, links);
 		Arrays.fill(picture, 0);
