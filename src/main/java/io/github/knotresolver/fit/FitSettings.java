@@ -24,4 +24,12 @@ public record FitSettings(double stiffness, double clampWeight, double memory, i
 	public FitSettings withFreeLength(final boolean free) {
 		return new FitSettings(stiffness, clampWeight, memory, iterations, tolerance, free);
 	}
+
+	/**
+	 * @param price of bending
+	 * @return the same otherwise
+	 */
+	public FitSettings withStiffness(final double price) {
+		return new FitSettings(price, clampWeight, memory, iterations, tolerance, freeLength);
+	}
 }

@@ -26,19 +26,26 @@ import io.github.knotresolver.geometry.Polyline;
  */
 record FitProposals(FilamentEstimate estimate, boolean freeLength) {
 
+	/**
+	 * A start is first fitted as a stiff filament: where strands lie side by side a skeleton
+	 * has kinks that an easily bent filament would keep.
+	 */
+	static final double START_STIFFNESS = 20;
+
 	/** So many of the cheapest candidates are drawn ... */
 	private static final int DRAWN = 12;
 
 	/** ... and so many of those fitted. */
 	private static final int FITTED = 4;
 
-	List<Fit> of(final CandidateSet set, final FilamentFitter fitter) {
+	List<Fit> of(final CandidateSet set, final FilamentFitter fitter, final FilamentFitter stiff) {
 		final List<Fit> rough = new ArrayList<>();
 		for (final Candidate c : set.candidates().stream().limit(DRAWN).toList())
 			rough.add(fitter.price(start(ContourBuilder.smooth(c), estimate.fixedEnd())));
 		final FitPool pool = new FitPool();
 		rough.stream().sorted(Comparator.comparingDouble(Fit::energy)).limit(FITTED)
-			.forEach(r -> pool.add(fitter.fit(r.chain(), Optional.empty())));
+			.forEach(r -> pool
+				.add(fitter.fit(stiff.fit(r.chain(), Optional.empty()).chain(), Optional.empty())));
 		return pool.fits();
 	}
 

@@ -133,7 +133,12 @@ public final class FitResolver {
 			progress.checkCancelled();
 			final Polyline given = corrections.get(frames.get(t).frame());
 			return given == null
-				? proposer.of(sets.get(t), fitters.apply(t))
+				? proposer.of(sets.get(t), fitters.apply(t),
+					new FilamentFitter(light.get(t), estimate.model(),
+						FilamentEstimator.links(estimate.length()),
+						Optional.of(estimate.fixedEnd()),
+						FitSettings.DEFAULT.withFreeLength(freeLength)
+							.withStiffness(FitProposals.START_STIFFNESS)))
 				: proposer.of(given, fitters.apply(t));
 		});
 		progress.report("Following the filament forwards and backwards", 0.7);
