@@ -74,10 +74,10 @@ public class ResolveFilamentCommand extends KnotCommand {
 	@Parameter(label = "Smooth factor", description = "Of the mask's outline", min = "0", max = "10", stepSize = "0.1", required = false, persist = false)
 	private double smooth_factor = 0.2;
 
-	@Parameter(label = "Log size (px, odd; 0: off)", description = "Edge of a Laplacian of Gaussian, for uneven background", min = "0", max = "99", required = false, persist = false)
+	@Parameter(label = "LoG size (px, odd; 0: off)", description = "Edge of a Laplacian of Gaussian, for uneven background", min = "0", max = "99", required = false, persist = false)
 	private int log_size = 0;
 
-	@Parameter(label = "Log sigma (px; 0: off)", description = "Its standard deviation", min = "0", max = "50", required = false, persist = false)
+	@Parameter(label = "LoG sigma (px; 0: off)", description = "Its standard deviation", min = "0", max = "50", required = false, persist = false)
 	private double log_sigma = 0;
 
 	@Parameter(label = "Candidates", description = "How contours are proposed", choices = {"trails",
@@ -137,7 +137,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 	@Parameter(label = "Overlay", description = "Contours over the image, coloured along their length", required = false, persist = false)
 	private boolean overlay = true;
 
-	@Parameter(label = "Roi manager", description = "One polyline a frame, coloured by its confidence", required = false, persist = false)
+	@Parameter(label = "ROI manager", description = "One polyline a frame, coloured by its confidence", required = false, persist = false)
 	private boolean roi_manager = true;
 
 	@Parameter(label = "Tables", description = "One row a point, one row a frame", required = false, persist = false)

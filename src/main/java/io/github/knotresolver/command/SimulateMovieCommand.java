@@ -74,13 +74,13 @@ public class SimulateMovieCommand extends KnotCommand {
 	@Parameter(label = "Pixel size (µm)", min = "0.005", max = "10", required = false, persist = false)
 	private double pixel_size = 0.106;
 
-	@Parameter(label = "Snr (dB or inf)", description = "Signal-to-noise ratio; paper only", required = false, persist = false)
+	@Parameter(label = "SNR (dB or inf)", description = "Signal-to-noise ratio; paper only", required = false, persist = false)
 	private String snr = "20";
 
 	@Parameter(label = "Bits", choices = {"8", "16"}, required = false, persist = false)
 	private String bits = "8";
 
-	@Parameter(label = "Psf sigma (px)", description = "Width of the point spread function; this and the rest: optical only", min = "0.3", max = "20", required = false, persist = false)
+	@Parameter(label = "PSF sigma (px)", description = "Width of the point spread function; this and the rest: optical only", min = "0.3", max = "20", required = false, persist = false)
 	private double psf_sigma = 1.5;
 
 	@Parameter(label = "Signal (photons)", description = "In a pixel on the filament", min = "0.1", max = "1000000", required = false, persist = false)
