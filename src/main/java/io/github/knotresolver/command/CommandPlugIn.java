@@ -124,6 +124,7 @@ public final class CommandPlugIn implements PlugIn {
 	private static void stop(final String title, final String sentence, final boolean interactive) {
 		final Interpreter macro = Interpreter.getInstance();
 		if (interactive && macro == null) {
+			Recorder.setCommand(null);
 			IJ.showMessage(title, sentence);
 			return;
 		}

@@ -4,7 +4,7 @@ import net.imagej.patcher.LegacyInjector;
 
 import ij.IJ;
 
-/** Runs macro files without a display, as Fiji does: the file's name is the argument. */
+/** Runs a macro without a display, as Fiji does: its file, and its argument. */
 final class HeadlessMacroMain {
 
 	static {
@@ -15,16 +15,15 @@ final class HeadlessMacroMain {
 	}
 
 	public static void main(final String[] args) {
-		for (final String macro : args)
-			Macros.run(macro);
+		Macros.run(args[0], args.length > 1 ? args[1] : "");
 		System.exit(0);
 	}
 
 	/** ImageJ's classes may be touched only after they were patched. */
 	private static final class Macros {
 
-		static void run(final String file) {
-			IJ.runMacroFile(file, null);
+		static void run(final String file, final String argument) {
+			IJ.runMacroFile(file, argument);
 		}
 	}
 }

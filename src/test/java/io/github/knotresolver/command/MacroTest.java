@@ -64,6 +64,16 @@ class MacroTest {
 		assertStops("resolver must be movie or paper, but is 'best'", "resolver=best");
 	}
 
+	@Test
+	void exampleMacrosResolveAMovieAndAFolder() throws Exception {
+		final Path one = home.resolve("one"), all = home.resolve("all");
+		String log = macro(Path.of("scripts/examples/resolve-one.ijm"), sample() + "," + one);
+		assertTrue(Files.exists(one.resolve("contours.csv")), log);
+		log = macro(Path.of("scripts/examples/resolve-folder.ijm"), home + "," + all);
+		assertEquals(Files.readString(one.resolve("contours.csv")),
+			Files.readString(all.resolve("knotted-filament/contours.csv")), log);
+	}
+
 	private void assertStops(final String sentence, final String option) throws Exception {
 		final Path after = home.resolve("after.txt"), out = out("none");
 		final String log = macros("run(\"Knotted Filament\");",
@@ -87,13 +97,14 @@ class MacroTest {
 	}
 
 	private String macros(final String... lines) throws Exception {
-		final Path file = Files.writeString(home.resolve("macro.ijm"), String.join("\n", lines));
-		final Path classes = Path
-			.of(CommandPlugIn.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+		return macro(Files.writeString(home.resolve("macro.ijm"), String.join("\n", lines)), "");
+	}
+
+	private String macro(final Path file, final String argument) throws Exception {
 		return java(
 			List.of("-Djava.awt.headless=true", "--add-opens=java.base/java.lang=ALL-UNNAMED",
 				"-Dplugins.dir=" + installMenu()),
-			"io.github.knotresolver.command.HeadlessMacroMain", file.toString());
+			"io.github.knotresolver.command.HeadlessMacroMain", file.toString(), argument);
 	}
 
 	/** A jar with the menu, as in a Fiji's plugins folder; the classes are on the path. */

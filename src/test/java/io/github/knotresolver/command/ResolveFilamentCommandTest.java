@@ -28,9 +28,12 @@ import org.scijava.module.ModuleItem;
 import org.scijava.module.ModuleService;
 
 import ij.ImagePlus;
+import ij.WindowManager;
 import ij.gui.PointRoi;
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.imagej.SampleMovie;
 import io.github.knotresolver.imagej.TestImages;
+import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.CancelledException;
@@ -153,6 +156,42 @@ class ResolveFilamentCommandTest {
 			Map.of("image", image, "out",
 				Files.writeString(Files.createDirectory(home.resolve("mine")).resolve("a.txt"), "x")
 					.getParent().toFile()));
+	}
+
+	@Test
+	void repeatedRunsLeaveNoThreadsNoImagesAndNoMemoryBehind() {
+		final ImagePlus sample = SampleMovie.open();
+		long settled = 0;
+		for (int i = 0; i < 20; i++) {
+			final ResolveFilamentCommand command = new ResolveFilamentCommand();
+			Form.of(command).fill(Map.of("frames", "1-2"));
+			WindowManager.setTempCurrentImage(sample);
+			command.run();
+			assertFalse(command.isCanceled(), command.getCancelReason());
+			if (i == 5)
+				settled = usedMemory();
+		}
+		WindowManager.setTempCurrentImage(null);
+		assertTrue(usedMemory() - settled < 4_000_000, "Memory grows from run to run.");
+		assertEquals(0, WindowManager.getImageCount());
+		assertTrue(Thread.getAllStackTraces().keySet().stream().noneMatch(
+			t -> t.getName().contains("KnotResolver") && lives(t)), "A worker is still there.");
+	}
+
+	/** Threads that were told to stop may need a moment. */
+	private static boolean lives(final Thread thread) {
+		try {
+			thread.join(5000);
+		} catch (final InterruptedException e) {
+			Thread.currentThread().interrupt();
+		}
+		return thread.isAlive();
+	}
+
+	private static long usedMemory() {
+		for (int i = 0; i < 3; i++)
+			System.gc();
+		return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();
 	}
 
 	@Test

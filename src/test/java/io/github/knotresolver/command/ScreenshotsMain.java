@@ -75,7 +75,9 @@ final class ScreenshotsMain {
 		replay(image, line);
 		for (final String command : List.of("Measure Contours...", "Batch...", "Simulate Movie...",
 			"Evaluate Against Ground Truth..."))
-			dialog(command, command.split("[ .]")[0].toLowerCase() + "-dialog.png", "Cancel");
+			dialog(command,
+				command.split("[ .]")[0].toLowerCase(java.util.Locale.ROOT) + "-dialog.png",
+				"Cancel");
 		measure();
 	}
 
@@ -90,7 +92,7 @@ final class ScreenshotsMain {
 			robot.keyRelease(key);
 			pause();
 		}
-		capture("menu.png", new Rectangle(0, 0, 900, 700));
+		capture("menu.png", new Rectangle(0, 0, 700, 260));
 		for (int i = 0; i < 4; i++) {
 			robot.keyPress(KeyEvent.VK_ESCAPE);
 			robot.keyRelease(KeyEvent.VK_ESCAPE);
@@ -171,6 +173,7 @@ final class ScreenshotsMain {
 		pause();
 		capture(picture, dialog.getBounds());
 		press(dialog, button);
+		pause();
 	}
 
 	/** As the menu does it: in a thread of its own, without options. */
@@ -204,6 +207,8 @@ final class ScreenshotsMain {
 		for (final Window window : Window.getWindows())
 			if (window instanceof Dialog d && d.isShowing())
 				press(d, "Cancel");
+		// The command ends, and is recorded, after its message is gone.
+		pause();
 	}
 
 	private static String text(final Container container) {
