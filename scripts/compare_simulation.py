@@ -13,7 +13,7 @@ import numpy as np
 
 SEEDS = (1, 2, 3)
 PIXEL = 0.1  # um
-STEP = 0.1  # um between points when shapes are measured
+STEP = 0.2  # um between points when shapes are measured: the longest published link
 SHOWN = range(0, 120, 10)
 FIGURES = (
     ("turns, median", "{:.2f}"), ("turns, most", "{:.2f}"),
@@ -50,8 +50,8 @@ def measure(curves, interval=2.5):
     d = np.diff(shapes, axis=1)
     heading = np.unwrap(np.arctan2(d[..., 1], d[..., 0]), axis=1)
     turns = np.abs(heading[:, -1] - heading[:, 0]) / (2 * np.pi)
-    # curvature averaged over half a micrometre: motors make shorter wiggles
-    curvature = np.abs([np.convolve(row, np.ones(5) / 5, "valid")
+    # curvature averaged over 0.6 um: motors make shorter wiggles
+    curvature = np.abs([np.convolve(row, np.ones(3) / 3, "valid")
                         for row in np.diff(heading, axis=1) / STEP])[1:]
     radius = 1 / curvature.max(axis=1)
     crossing = np.array([crosses(c) for c in shapes])
@@ -80,7 +80,7 @@ def cell(values, form):
 
 
 def draw(rows, path):
-    fig, axes = plt.subplots(len(rows), len(SHOWN), figsize=(12, 1.05 * len(rows)))
+    fig, axes = plt.subplots(len(rows), len(SHOWN), figsize=(12, 0.52 * len(rows)))
     for line, (name, curves) in zip(axes, rows):
         reach = max(np.abs(c - c[0]).max() for c in curves) * 1.05
         for axis, frame in zip(line, SHOWN):
@@ -92,7 +92,7 @@ def draw(rows, path):
         line[0].set_ylabel(name, rotation=0, ha="right", va="center", fontsize=7)
     for axis, frame in zip(axes[0], SHOWN):
         axis.set_title(f"frame {frame + 1}", fontsize=7)
-    fig.subplots_adjust(0.1, 0.01, 0.995, 0.96, 0.03, 0.03)
+    fig.subplots_adjust(0.1, 0.005, 0.995, 0.965, 0.03, 0.05)
     fig.savefig(path, dpi=110)
 
 

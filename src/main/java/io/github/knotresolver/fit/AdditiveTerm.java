@@ -28,6 +28,7 @@ final class AdditiveTerm implements ImageTerm {
 	private final int[] head;
 	private final int[] band;
 	private int bandSize;
+	private final Strip strip = new Strip();
 
 	// One entry for each pair of a pixel and a link in reach.
 	private int[] next = new int[1 << 14];
@@ -71,6 +72,11 @@ final class AdditiveTerm implements ImageTerm {
 			head[at] = -1;
 		}
 		return sum;
+	}
+
+	@Override
+	public boolean couplesFarNodes() {
+		return true;
 	}
 
 	@Override
@@ -120,17 +126,20 @@ final class AdditiveTerm implements ImageTerm {
 
 	private void visitLink(final int i, final double ax, final double ay, final double bx,
 		final double by, final boolean slopes) {
-		final int left = Math.max(0, (int) Math.ceil(Math.min(ax, bx) - reach));
-		final int right = Math.min(frame.width() - 1, (int) Math.floor(Math.max(ax, bx) + reach));
-		final int top = Math.max(0, (int) Math.ceil(Math.min(ay, by) - reach));
-		final int bottom = Math.min(frame.height() - 1, (int) Math.floor(Math.max(ay, by) + reach));
-		final double l = Math.hypot(bx - ax, by - ay), ux = (bx - ax) / l, uy = (by - ay) / l;
-		for (int row = top; row <= bottom; row++)
+		final double l = Math.sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay));
+		final double ux = (bx - ax) / l, uy = (by - ay) / l;
+		strip.lay(ux, uy, -reach, l + reach, reach);
+		final int top = Math.max(0, (int) Math.ceil(ay + strip.top()));
+		final int bottom = Math.min(frame.height() - 1, (int) Math.floor(ay + strip.bottom()));
+		for (int row = top; row <= bottom; row++) {
+			final double py = row - ay;
+			if (!strip.cut(py))
+				continue;
+			final int left = Math.max(0, (int) Math.ceil(ax + strip.low()));
+			final int right = Math.min(frame.width() - 1, (int) Math.floor(ax + strip.high()));
 			for (int column = left; column <= right; column++) {
-				final double px = column - ax, py = row - ay;
+				final double px = column - ax;
 				final double t = px * ux + py * uy, n = px * -uy + py * ux;
-				if (n >= reach || n <= -reach || t <= -reach || t >= l + reach)
-					continue;
 				final double across = brightness[i] * gauss.at(n * n);
 				final double value = across * (cumulative(t) - cumulative(t - l));
 				if (value < DARK)
@@ -142,6 +151,7 @@ final class AdditiveTerm implements ImageTerm {
 				if (slopes)
 					addEntry(at, i, value, across, t, n, l, ux, uy);
 			}
+		}
 	}
 
 	/** Share of a Gaussian below t. */

@@ -1,6 +1,9 @@
 
 package io.github.knotresolver.fit;
 
+import org.apache.commons.math3.analysis.interpolation.SplineInterpolator;
+import org.apache.commons.math3.analysis.polynomials.PolynomialSplineFunction;
+
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 
@@ -91,6 +94,39 @@ public final class Chain {
 		return Polyline.of(x, y);
 	}
 
+	/**
+	 * The smooth curve that the chain stands for, sampled at about a pixel. The nodes of a
+	 * chain that is fitted to a bent line lie outside of the bend, by two thirds of the
+	 * sagitta of a link, and the middles of its links inside, by one third: the nodes are
+	 * moved back by as much, and joined by a cubic spline. So the length of a contour does
+	 * not depend on how bent it is.
+	 *
+	 * @return the contour in pixels, fixed end first
+	 */
+	public Polyline contour() {
+		final int n = theta.length;
+		final double[] x = new double[n + 1], y = new double[n + 1], s = new double[n + 1];
+		nodes(x, y);
+		for (int i = 0; i <= n; i++)
+			s[i] = i * linkLength;
+		final PolynomialSplineFunction splineX = spline(s, x), splineY = spline(s, y);
+		final int points = Math.max(2, (int) Math.rint(length()) + 1);
+		final double[] cx = new double[points], cy = new double[points];
+		for (int k = 0; k < points; k++) {
+			final double at = Math.min(s[n], s[n] * k / (points - 1));
+			cx[k] = splineX.value(at);
+			cy[k] = splineY.value(at);
+		}
+		return Polyline.of(cx, cy);
+	}
+
+	private static PolynomialSplineFunction spline(final double[] s, final double[] nodes) {
+		final double[] moved = nodes.clone();
+		for (int i = 1; i < nodes.length - 1; i++)
+			moved[i] += (nodes[i - 1] - 2 * nodes[i] + nodes[i + 1]) / 12;
+		return new SplineInterpolator().interpolate(s, moved);
+	}
+
 	/** Writes the nodes into the arrays, which hold at least links + 1 values. */
 	void nodes(final double[] x, final double[] y) {
 		x[0] = x0;
@@ -131,7 +167,7 @@ public final class Chain {
 		other.nodes(bx, by);
 		double sum = 0;
 		for (int i = 0; i < n; i++)
-			sum += Math.hypot(ax[i] - bx[i], ay[i] - by[i]);
+			sum += Math.sqrt((ax[i] - bx[i]) * (ax[i] - bx[i]) + (ay[i] - by[i]) * (ay[i] - by[i]));
 		return sum / n;
 	}
 

@@ -12,6 +12,7 @@ import io.github.knotresolver.fit.LineEstimator.Example;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
 
 /**
  * Learns the line model, the filament's length and its fixed end from frames in
@@ -22,16 +23,22 @@ public final class FilamentEstimator {
 
 	private static final int ROUNDS = 3;
 
+	/** Rounds for a filament that is not equally bright everywhere. */
+	private static final int BRIGHTNESS_ROUNDS = 3;
+
 	/** So many frames are enough to learn the line. */
 	private static final int LINE_EXAMPLES = 5;
 
 	/** A fitted frame whose length is farther off (relative) does not vote. */
 	private static final double OUTLIER = 0.06;
 
+	/** A profile with a smaller power is a Gaussian. */
+	private static final double FLAT = 1.06;
+
 	private static final double FIRST_SIGMA = 1.8;
 
 	/** A fit with both ends free. */
-	private static final FitSettings FREE = new FitSettings(0.9, 0, 0, 40, 1e-5);
+	private static final FitSettings FREE = new FitSettings(0.9, 0, 0, 40, 1e-5, true);
 
 	private FilamentEstimator() {
 	}
@@ -44,22 +51,33 @@ public final class FilamentEstimator {
 	 * @param sightings at least one; those that are clearest first
 	 * @param kinds how strands may add up; the kind that explains the sightings best is
 	 *          taken
+	 * @param workers threads
 	 * @param progress asked whether to stop
 	 * @return what they say together
 	 */
 	public static FilamentEstimate estimate(final List<Sighting> sightings,
-		final Collection<LineModel.Kind> kinds, final Progress progress) {
+		final Collection<LineModel.Kind> kinds, final Workers workers, final Progress progress) {
 		final List<Example> seen = new ArrayList<>();
 		for (final Sighting s : sightings)
 			seen.add(new Example(s.frame,
 				Chain.along(s.contour, links(s.contour.length()), s.contour.length())));
-		return kinds.stream().map(kind -> learn(seen, kind, progress))
-			.min(Comparator.comparingDouble(l -> l.line.residual())).map(Learned::summary)
-			.orElseThrow();
+		final List<Learned> learned = kinds.stream()
+			.map(kind -> learn(seen, kind, workers, progress)).toList();
+		return learned.stream().filter(l -> learned.size() == 1 || l.isPlausible())
+			.min(Comparator.comparingDouble(l -> l.line.residual())).orElse(learned.get(0))
+			.summary();
 	}
 
 	/** A line and the curves that were fitted with it. */
 	private record Learned(List<Example> examples, Estimate line) {
+
+		/**
+		 * A line that is not clipped and yet saturates is flat on top; where it is not, the
+		 * light is that of a lens, which adds up.
+		 */
+		boolean isPlausible() {
+			return line.model().kind() == LineModel.Kind.ADDITIVE || line.model().power() > FLAT;
+		}
 
 		FilamentEstimate summary() {
 			return FilamentEstimator.summary(examples, line);
@@ -67,13 +85,20 @@ public final class FilamentEstimator {
 	}
 
 	private static Learned learn(final List<Example> seen, final LineModel.Kind kind,
-		final Progress progress) {
+		final Workers workers, final Progress progress) {
 		List<Example> examples = seen;
 		Estimate line = line(examples, kind, FIRST_SIGMA);
 		for (int round = 0; round < ROUNDS; round++) {
 			progress.checkCancelled();
-			examples = refit(examples, line);
+			examples = refit(examples, line, workers);
 			line = line(examples, kind, line.model().sigma());
+		}
+		for (int round = 0; round < BRIGHTNESS_ROUNDS; round++) {
+			final double[] brightness = BrightnessProfile.estimate(examples, line);
+			if (brightness.length == 1)
+				break;
+			line = line.withModel(line.model().withBrightness(brightness));
+			examples = refit(examples, line, workers);
 		}
 		return new Learned(examples, line);
 	}
@@ -84,15 +109,15 @@ public final class FilamentEstimator {
 			kind, sigma);
 	}
 
-	private static List<Example> refit(final List<Example> examples, final Estimate line) {
-		final List<Example> better = new ArrayList<>();
-		for (final Example e : examples) {
+	private static List<Example> refit(final List<Example> examples, final Estimate line,
+		final Workers workers) {
+		return workers.map(examples.size(), i -> {
+			final Example e = examples.get(i);
 			final NormalizedFrame frame = e.frame().rescaled(line.background(), line.amplitude());
 			final FilamentFitter fitter = new FilamentFitter(frame, line.model(), e.chain().links(),
 				Optional.empty(), FREE);
-			better.add(new Example(e.frame(), fitter.fitLength(e.chain()).chain()));
-		}
-		return better;
+			return new Example(e.frame(), fitter.fit(e.chain(), Optional.empty()).chain());
+		});
 	}
 
 	private static FilamentEstimate summary(final List<Example> examples, final Estimate line) {
@@ -120,9 +145,10 @@ public final class FilamentEstimator {
 
 	/**
 	 * @param length of a filament in pixels
-	 * @return how many links it is given: about 3 px each, but never fewer than 24
+	 * @return how many links it is given: about 3 px each, but never fewer than 45:
+	 *         a polygon whose links are long for its bends is longer than the curve
 	 */
 	public static int links(final double length) {
-		return Math.max(24, (int) Math.rint(length / 3));
+		return Math.max(45, (int) Math.rint(length / 3));
 	}
 }

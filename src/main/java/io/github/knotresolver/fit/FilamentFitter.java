@@ -3,11 +3,6 @@ package io.github.knotresolver.fit;
 
 import java.util.Optional;
 
-import org.apache.commons.math3.linear.Array2DRowRealMatrix;
-import org.apache.commons.math3.linear.ArrayRealVector;
-import org.apache.commons.math3.linear.CholeskyDecomposition;
-import org.apache.commons.math3.linear.NonPositiveDefiniteMatrixException;
-
 import io.github.knotresolver.geometry.Point;
 
 /**
@@ -53,46 +48,25 @@ public final class FilamentFitter {
 		this.clamp = clamp;
 		this.settings = settings;
 		this.links = links;
-		nodes = new NodeSystem(links + 1);
+		nodes = new NodeSystem(links + 1,
+			image.couplesFarNodes() || settings.freeLength() ? links : 1);
 		x = new double[links + 1];
 		y = new double[links + 1];
 	}
 
 	/**
-	 * The best chain of the same length near a start.
+	 * The best chain near a start: of the same length, unless the settings let the length
+	 * go.
 	 *
 	 * @param start where to begin
 	 * @param predicted the shape it is expected to have, if there is one
 	 * @return the fit
 	 */
 	public Fit fit(final Chain start, final Optional<Chain> predicted) {
-		return descend(start, predicted, false);
-	}
-
-	/**
-	 * The best chain near a start, of any length.
-	 *
-	 * @param start where to begin
-	 * @return the fit
-	 */
-	public Fit fitLength(final Chain start) {
-		return descend(start, Optional.empty(), true);
-	}
-
-	/**
-	 * The energy of a chain as it is.
-	 *
-	 * @param chain the chain
-	 * @return the chain with its prices
-	 */
-	public Fit price(final Chain chain) {
-		final double light = light(chain, null);
-		return new Fit(chain, light, light + stiffnessAndClamp(chain), 0);
-	}
-
-	private Fit descend(final Chain start, final Optional<Chain> predicted,
-		final boolean freeLength) {
-		final ReducedSystem system = new ReducedSystem(links, freeLength);
+		final boolean freeLength = settings.freeLength();
+		final StepSystem system = image.couplesFarNodes() || freeLength
+			? new ReducedSystem(links, freeLength)
+			: new ChainSystem(links);
 		Chain chain = start;
 		double light = light(chain, nodes);
 		double energy = light + priors(chain, predicted);
@@ -126,6 +100,17 @@ public final class FilamentFitter {
 			light(chain, nodes);
 		}
 		return new Fit(chain, light, light + stiffnessAndClamp(chain), iteration);
+	}
+
+	/**
+	 * The energy of a chain as it is.
+	 *
+	 * @param chain the chain
+	 * @return the chain with its prices
+	 */
+	public Fit price(final Chain chain) {
+		final double light = light(chain, null);
+		return new Fit(chain, light, light + stiffnessAndClamp(chain), 0);
 	}
 
 	private double light(final Chain chain, final NodeSystem system) {
@@ -168,53 +153,28 @@ public final class FilamentFitter {
 			- predicted.angle(middle);
 	}
 
-	private void addPriors(final ReducedSystem system, final Chain chain,
+	private void addPriors(final StepSystem system, final Chain chain,
 		final Optional<Chain> predicted) {
-		final double[][] m = system.matrix;
-		final double[] v = system.vector;
 		final double bend = settings.stiffness() / chain.linkLength();
-		for (int i = 1; i < links; i++) {
-			final double pull = bend * (chain.angle(i) - chain.angle(i - 1));
-			m[i + 2][i + 2] += bend;
-			m[i + 1][i + 1] += bend;
-			m[i + 2][i + 1] -= bend;
-			m[i + 1][i + 2] -= bend;
-			v[i + 2] -= pull;
-			v[i + 1] += pull;
-		}
-		if (clamp.isPresent()) {
-			final double w = settings.clampWeight();
-			m[0][0] += w;
-			m[1][1] += w;
-			v[0] -= w * (chain.start().x() - clamp.get().x());
-			v[1] -= w * (chain.start().y() - clamp.get().y());
-		}
+		for (int i = 1; i < links; i++)
+			system.addBend(i, bend, bend * (chain.angle(i) - chain.angle(i - 1)));
+		final double w = settings.clampWeight();
+		clamp.ifPresent(c -> system.addStart(w, w * (chain.start().x() - c.x()),
+			w * (chain.start().y() - c.y())));
 		if (predicted.isPresent()) {
-			final double w = settings.memory() * chain.linkLength();
+			final double hold = settings.memory() * chain.linkLength();
 			final double turn = fullTurns(chain, predicted.get());
-			for (int i = 0; i < links; i++) {
-				m[i + 2][i + 2] += w;
-				v[i + 2] -= w * (chain.angle(i) - predicted.get().angle(i) - turn);
-			}
+			for (int i = 0; i < links; i++)
+				system.addAngle(i, hold, hold * (chain.angle(i) - predicted.get().angle(i) - turn));
 		}
 	}
 
 	/** A damped step, or null if the system is singular even so. */
-	private Chain step(final ReducedSystem system, final Chain chain, final double damping,
+	private Chain step(final StepSystem system, final Chain chain, final double damping,
 		final boolean freeLength) {
-		final int size = system.vector.length;
-		final double[][] damped = new double[size][];
-		for (int i = 0; i < size; i++) {
-			damped[i] = system.matrix[i].clone();
-			damped[i][i] += damping * (damped[i][i] + 1e-3);
-		}
-		final double[] step;
-		try {
-			step = new CholeskyDecomposition(new Array2DRowRealMatrix(damped, false), 1e-6, 1e-14)
-				.getSolver().solve(new ArrayRealVector(system.vector, false)).toArray();
-		} catch (final NonPositiveDefiniteMatrixException e) {
+		final double[] step = system.solve(damping);
+		if (step == null)
 			return null;
-		}
 		double turn = 0;
 		for (int i = 2; i < links + 2; i++)
 			turn = Math.max(turn, Math.abs(step[i]));

@@ -9,15 +9,19 @@ package io.github.knotresolver.fit;
  *          length
  * @param iterations largest number of accepted steps
  * @param tolerance relative gain of a step below which the fit has converged
+ * @param freeLength whether the length is fitted, too
  */
 public record FitSettings(double stiffness, double clampWeight, double memory, int iterations,
-	double tolerance) {
+	double tolerance, boolean freeLength) {
 
 	/** Defaults for tracking. */
-	public static final FitSettings DEFAULT = new FitSettings(0.9, 3, 0.007, 25, 2e-4);
+	public static final FitSettings DEFAULT = new FitSettings(0.9, 3, 0.007, 25, 2e-4, false);
 
-	/** @return the same with another price of leaving the fixed end */
-	public FitSettings withClampWeight(final double weight) {
-		return new FitSettings(stiffness, weight, memory, iterations, tolerance);
+	/**
+	 * @param free whether the length is fitted, too
+	 * @return the same otherwise
+	 */
+	public FitSettings withFreeLength(final boolean free) {
+		return new FitSettings(stiffness, clampWeight, memory, iterations, tolerance, free);
 	}
 }

@@ -31,6 +31,9 @@ interface ImageTerm {
 	 */
 	void draw(double[] x, double[] y, int links, double[] picture);
 
+	/** @return whether a pixel may depend on more than one link */
+	boolean couplesFarNodes();
+
 	/**
 	 * @param frame the frame
 	 * @param model what a line looks like

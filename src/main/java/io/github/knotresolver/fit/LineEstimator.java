@@ -28,8 +28,22 @@ public final class LineEstimator {
 	private LineEstimator() {
 	}
 
-	/** A frame and the curve in it. */
-	public record Example(NormalizedFrame frame, Chain chain) {
+	/**
+	 * A frame and the curve in it.
+	 *
+	 * @param frame the frame
+	 * @param chain the curve
+	 * @param near for every pixel whether it is looked at
+	 */
+	public record Example(NormalizedFrame frame, Chain chain, boolean[] near) {
+
+		/**
+		 * @param frame the frame
+		 * @param chain the curve
+		 */
+		public Example(final NormalizedFrame frame, final Chain chain) {
+			this(frame, chain, Neighbourhood.of(frame, chain, NEIGHBOURHOOD));
+		}
 	}
 
 	/**
@@ -43,6 +57,10 @@ public final class LineEstimator {
 	 *          amplitude squared
 	 */
 	public record Estimate(LineModel model, double amplitude, double background, double residual) {
+
+		Estimate withModel(final LineModel other) {
+			return new Estimate(other, amplitude, background, residual);
+		}
 	}
 
 	/**
@@ -93,10 +111,9 @@ public final class LineEstimator {
 		double n = 0, sumM = 0, sumI = 0, sumMM = 0, sumMI = 0, sumII = 0;
 		for (final Example example : examples) {
 			final double[] pixels = example.frame.pixels();
-			final double[] picture = draw(example, model);
-			final boolean[] near = near(example);
+			final double[] picture = Neighbourhood.draw(example.frame(), model, example.chain());
 			for (int i = 0; i < picture.length; i++)
-				if (near[i]) {
+				if (example.near[i]) {
 					n++;
 					sumM += picture[i];
 					sumI += pixels[i];
@@ -110,33 +127,5 @@ public final class LineEstimator {
 		final double rest = sumII - sumI * sumI / n - amplitude * covariance;
 		return new Estimate(model, amplitude, (sumI - amplitude * sumM) / n,
 			rest / n / (amplitude * amplitude));
-	}
-
-	private static double[] draw(final Example example, final LineModel model) {
-		final int links = example.chain.links();
-		final double[] x = new double[links + 1], y = new double[links + 1];
-		example.chain.nodes(x, y);
-		final double[] picture = new double[example.frame.pixels().length];
-		ImageTerm.of(example.frame, model, links).draw(x, y, links, picture);
-		return picture;
-	}
-
-	private static boolean[] near(final Example example) {
-		final NormalizedFrame frame = example.frame;
-		final Chain chain = example.chain;
-		final double[] x = new double[chain.links() + 1], y = new double[chain.links() + 1];
-		chain.nodes(x, y);
-		final boolean[] near = new boolean[frame.pixels().length];
-		for (int i = 0; i < x.length; i++) {
-			final int left = Math.max(0, (int) Math.ceil(x[i] - NEIGHBOURHOOD));
-			final int right = Math.min(frame.width() - 1, (int) Math.floor(x[i] + NEIGHBOURHOOD));
-			final int top = Math.max(0, (int) Math.ceil(y[i] - NEIGHBOURHOOD));
-			final int bottom = Math.min(frame.height() - 1, (int) Math.floor(y[i] + NEIGHBOURHOOD));
-			for (int row = top; row <= bottom; row++)
-				for (int column = left; column <= right; column++)
-					if (Math.hypot(column - x[i], row - y[i]) <= NEIGHBOURHOOD)
-						near[row * frame.width() + column] = true;
-		}
-		return near;
 	}
 }

@@ -1,27 +1,44 @@
-
 package io.github.knotresolver.fit;
 
 import java.util.Arrays;
 
 /**
- * Normal equations of the image term in node coordinates (x0, y0, x1, y1, ...):
- * the upper triangle of JᵀWJ and the vector JᵀWr.
+ * Normal equations of the image term in node coordinates (x0, y0, x1, y1, ...): the upper
+ * triangle of JᵀWJ, as far as a pixel can couple nodes, and the vector JᵀWr.
  */
 final class NodeSystem {
 
 	final int size;
-	final double[] matrix;
 	final double[] vector;
 
-	NodeSystem(final int nodes) {
+	/** Row by row, each from its own node's first column on. */
+	private final double[] matrix;
+	private final int stride;
+
+	/**
+	 * @param nodes number of nodes
+	 * @param reach how many nodes farther on a pixel of a node may still touch: at least 1,
+	 *          at most {@code nodes - 1}
+	 */
+	NodeSystem(final int nodes, final int reach) {
 		size = 2 * nodes;
-		matrix = new double[size * size];
+		stride = 2 * (reach + 1);
+		matrix = new double[size * stride];
 		vector = new double[size];
 	}
 
 	void clear() {
 		Arrays.fill(matrix, 0);
 		Arrays.fill(vector, 0);
+	}
+
+	/**
+	 * @param row from 0
+	 * @param column of the same node or a later one within reach
+	 * @return the entry
+	 */
+	double get(final int row, final int column) {
+		return matrix[row * stride + column - (row & ~1)];
 	}
 
 	/**
@@ -42,11 +59,11 @@ final class NodeSystem {
 			vector[row + 1] += wy * residual;
 			// Nodes fall, so that the earlier entries are to the right in the matrix.
 			for (int b = 0; b <= a; b++) {
-				final int at = row * size + 2 * nodes[b];
+				final int at = row * stride + 2 * (nodes[b] - nodes[a]);
 				matrix[at] += wx * jacobian[2 * b];
 				matrix[at + 1] += wx * jacobian[2 * b + 1];
-				matrix[at + size] += wy * jacobian[2 * b];
-				matrix[at + size + 1] += wy * jacobian[2 * b + 1];
+				matrix[at + stride] += wy * jacobian[2 * b];
+				matrix[at + stride + 1] += wy * jacobian[2 * b + 1];
 			}
 		}
 	}

@@ -1,13 +1,19 @@
 
 package io.github.knotresolver.fit;
 
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.CholeskyDecomposition;
+import org.apache.commons.math3.linear.NonPositiveDefiniteMatrixException;
+
 /**
- * Brings normal equations from node coordinates to the chain's own unknowns
- * (x0, y0, θ1..θn and, if wanted, the link length) by the chain rule dPᵢ/dθₖ =
- * h (-sin θₖ, cos θₖ) for all nodes behind link k. As every node behind a link
- * moves alike, suffix sums over the node matrix do it in O(n²).
+ * The dense system, for pixels that couple any nodes. As every node behind a link moves
+ * alike, suffix sums over the node matrix reduce it in O(n²); a solution is O(n³).
  */
-final class ReducedSystem {
+final class ReducedSystem implements StepSystem {
+
+	/** Added to a diagonal entry before it is damped. */
+	static final double LEAST_DAMPED = 1e-3;
 
 	private final int links;
 	private final boolean freeLength;
@@ -29,8 +35,8 @@ final class ReducedSystem {
 		vector = new double[size];
 	}
 
-	/** Sets the system to that of the image term at a chain. */
-	void reduce(final NodeSystem nodes, final double[] x, final double[] y, final double h) {
+	@Override
+	public void reduce(final NodeSystem nodes, final double[] x, final double[] y, final double h) {
 		if (freeLength)
 			reduceLength(nodes, x, y, h);
 		sumBehind(nodes);
@@ -66,16 +72,15 @@ final class ReducedSystem {
 			for (int c = 0; c < 2; c++) {
 				final double[] row = blocks[i + c];
 				final double[] below = i + 2 < size ? blocks[i + 2 + c] : null;
-				final int offset = (i + c) * size;
 				double sumX = 0, sumY = 0;
 				for (int j = size - 2; j > i; j -= 2) {
-					sumX += nodes.matrix[offset + j];
-					sumY += nodes.matrix[offset + j + 1];
+					sumX += nodes.get(i + c, j);
+					sumY += nodes.get(i + c, j + 1);
 					row[j] = sumX + (below == null ? 0 : below[j]);
 					row[j + 1] = sumY + (below == null ? 0 : below[j + 1]);
 				}
-				row[i] = sumX + nodes.matrix[offset + i];
-				row[i + 1] = sumY + nodes.matrix[offset + i + 1];
+				row[i] = sumX + nodes.get(i + c, i);
+				row[i + 1] = sumY + nodes.get(i + c, i + 1);
 				pull[i + c] = nodes.vector[i + c] + (below == null ? 0 : pull[i + 2 + c]);
 			}
 			if (i + 2 < size)
@@ -121,15 +126,50 @@ final class ReducedSystem {
 		final int size = nodes.size;
 		final double[] product = new double[size];
 		for (int i = 0; i < size; i++) {
-			final int firstRight = i - i % 2 + 2;
-			final int offset = i * size;
-			product[i] += nodes.matrix[offset + firstRight - 2] * d[firstRight - 2]
-				+ nodes.matrix[offset + firstRight - 1] * d[firstRight - 1];
-			for (int j = firstRight; j < size; j++) {
-				product[i] += nodes.matrix[offset + j] * d[j];
-				product[j] += nodes.matrix[offset + j] * d[i];
+			final int own = i & ~1;
+			product[i] += nodes.get(i, own) * d[own] + nodes.get(i, own + 1) * d[own + 1];
+			for (int j = own + 2; j < size; j++) {
+				product[i] += nodes.get(i, j) * d[j];
+				product[j] += nodes.get(i, j) * d[i];
 			}
 		}
 		return product;
+	}
+
+	@Override
+	public void addStart(final double weight, final double pullX, final double pullY) {
+		matrix[0][0] += weight;
+		matrix[1][1] += weight;
+		vector[0] -= pullX;
+		vector[1] -= pullY;
+	}
+
+	@Override
+	public void addAngle(final int link, final double weight, final double pull) {
+		matrix[link + 2][link + 2] += weight;
+		vector[link + 2] -= pull;
+	}
+
+	@Override
+	public void addBend(final int link, final double weight, final double pull) {
+		addAngle(link, weight, pull);
+		addAngle(link - 1, weight, -pull);
+		matrix[link + 2][link + 1] -= weight;
+		matrix[link + 1][link + 2] -= weight;
+	}
+
+	@Override
+	public double[] solve(final double damping) {
+		final double[][] damped = new double[vector.length][];
+		for (int i = 0; i < damped.length; i++) {
+			damped[i] = matrix[i].clone();
+			damped[i][i] += damping * (damped[i][i] + LEAST_DAMPED);
+		}
+		try {
+			return new CholeskyDecomposition(new Array2DRowRealMatrix(damped, false), 1e-6, 1e-14)
+				.getSolver().solve(new ArrayRealVector(vector, false)).toArray();
+		} catch (final NonPositiveDefiniteMatrixException e) {
+			return null;
+		}
 	}
 }

@@ -31,6 +31,7 @@ final class SaturatingTerm implements ImageTerm {
 	private final double[] along;
 	private final int[] band;
 	private int bandSize;
+	private final Strip strip = new Strip();
 
 	private final int[] nodes = new int[2];
 	private final double[] jacobian = new double[4];
@@ -115,6 +116,11 @@ final class SaturatingTerm implements ImageTerm {
 	}
 
 	@Override
+	public boolean couplesFarNodes() {
+		return false;
+	}
+
+	@Override
 	public void draw(final double[] x, final double[] y, final int links, final double[] picture) {
 		findBand(x, y, links);
 		Arrays.fill(picture, 0);
@@ -125,39 +131,59 @@ final class SaturatingTerm implements ImageTerm {
 		}
 	}
 
-	/**
-	 * Finds, for every pixel within reach, the nearest link and the place on it.
-	 */
+	/** Finds, for every pixel within reach, the nearest link and the place on it. */
 	private void findBand(final double[] x, final double[] y, final int links) {
 		bandSize = 0;
 		for (int i = 0; i < links; i++)
-			visitLink(i, links, x[i], y[i], x[i + 1], y[i + 1]);
+			visitLink(i, links, x, y);
 	}
 
-	private void visitLink(final int i, final int links, final double ax, final double ay,
-		final double bx, final double by) {
-		final int left = Math.max(0, (int) Math.ceil(Math.min(ax, bx) - reach));
-		final int right = Math.min(frame.width() - 1, (int) Math.floor(Math.max(ax, bx) + reach));
-		final int top = Math.max(0, (int) Math.ceil(Math.min(ay, by) - reach));
-		final int bottom = Math.min(frame.height() - 1, (int) Math.floor(Math.max(ay, by) + reach));
+	/**
+	 * Pixels before or behind a link are nearest to one of its nodes. Of those only the
+	 * ones in the wedge of a bend are visited, or beyond an end of the chain.
+	 */
+	private void visitLink(final int i, final int links, final double[] x, final double[] y) {
+		final double ax = x[i], ay = y[i], bx = x[i + 1] - ax, by = y[i + 1] - ay;
+		final double l = Math.sqrt(bx * bx + by * by), ux = bx / l, uy = by / l;
 		final boolean isFirst = i == 0, isLast = i == links - 1;
-		final double ux = bx - ax, uy = by - ay, l2 = ux * ux + uy * uy, reach2 = reach * reach;
-		for (int row = top; row <= bottom; row++)
+		strip.lay(ux, uy, isFirst ? -reach : -wedge(x, y, i),
+			l + (isLast ? reach : wedge(x, y, i + 1)), reach);
+		final int top = Math.max(0, (int) Math.ceil(ay + strip.top()));
+		final int bottom = Math.min(frame.height() - 1, (int) Math.floor(ay + strip.bottom()));
+		for (int row = top; row <= bottom; row++) {
+			final double py = row - ay;
+			if (!strip.cut(py))
+				continue;
+			final int left = Math.max(0, (int) Math.ceil(ax + strip.low()));
+			final int right = Math.min(frame.width() - 1, (int) Math.floor(ax + strip.high()));
 			for (int column = left; column <= right; column++) {
-				final double px = column - ax, py = row - ay;
-				final double free = (px * ux + py * uy) / l2;
-				final double t = Math.max(0, Math.min(1, free));
-				final double dx = px - t * ux, dy = py - t * uy;
-				final double beyond = (t == 0 ? isFirst : isLast) ? free - t : 0;
-				final double d2 = dx * dx + dy * dy + END_STRETCH * beyond * beyond * l2;
-				final int at = row * frame.width() + column;
-				if (d2 < distance2[at]) {
-					if (distance2[at] == reach2)
-						band[bandSize++] = at;
-					distance2[at] = d2;
-					link[at] = i;
-					along[at] = t;
-				}
+				final double px = column - ax, free = px * ux + py * uy;
+				final double s = Math.max(0, Math.min(l, free));
+				final double dx = px - s * ux, dy = py - s * uy;
+				final double beyond = (s == 0 ? isFirst : isLast) ? free - s : 0;
+				visitPixel(row * frame.width() + column, i, s / l,
+					dx * dx + dy * dy + END_STRETCH * beyond * beyond);
 			}
+		}
+	}
+
+	private void visitPixel(final int at, final int i, final double t, final double d2) {
+		if (d2 >= distance2[at])
+			return;
+		if (distance2[at] == reach * reach)
+			band[bandSize++] = at;
+		distance2[at] = d2;
+		link[at] = i;
+		along[at] = t;
+	}
+
+	/** How far the wedge at a node sticks out along the links that meet there. */
+	private double wedge(final double[] x, final double[] y, final int node) {
+		final double px = x[node] - x[node - 1], py = y[node] - y[node - 1];
+		final double qx = x[node + 1] - x[node], qy = y[node + 1] - y[node];
+		if (px * qx + py * qy <= 0)
+			return reach;
+		return reach * Math.abs(px * qy - py * qx)
+			/ Math.sqrt((px * px + py * py) * (qx * qx + qy * qy)) + 1e-6;
 	}
 }

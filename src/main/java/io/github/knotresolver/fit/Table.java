@@ -5,12 +5,12 @@ import java.util.function.DoubleUnaryOperator;
 
 /**
  * A function on 0..limit by linear interpolation in a table: several times
- * faster than the exponential, exact to about 1e-6 of its range. Beyond the
+ * faster than the exponential, exact to about 1e-5 of its range. Beyond the
  * limit it is 0.
  */
 final class Table {
 
-	private static final int SIZE = 4096;
+	private static final int SIZE = 1024;
 
 	private final double[] values = new double[SIZE + 2];
 	private final double limit;

@@ -5,17 +5,13 @@ import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
-import io.github.knotresolver.candidate.CandidateGenerator;
-import io.github.knotresolver.candidate.PaperCandidates;
-import io.github.knotresolver.candidate.TrailCandidates;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.image.Movie;
-import io.github.knotresolver.pipeline.Parameters.CandidateMethod;
+import io.github.knotresolver.pipeline.FrameResolver.Found;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
-import io.github.knotresolver.track.FitResolver;
-import io.github.knotresolver.track.FitResolver.Resolved;
 import io.github.knotresolver.track.FixedEndFinder;
 import io.github.knotresolver.track.FrameStatus;
 import io.github.knotresolver.track.FrameView;
@@ -62,23 +58,16 @@ public final class FilamentResolver {
 			progress.checkCancelled();
 			return preparer.prepare(wanted.get(i));
 		});
+		progress.report("Looking for the fixed end", 0.2);
 		final Point fixedEnd = parameters.fixedEnd()
 			.orElseGet(() -> new FixedEndFinder(frames, progress).find()
 				.orElseThrow(() -> nothingFound(movie)));
-		final Resolved resolved = new FitResolver(generator(), Clipping.of(movie, wanted).kinds(),
-			workers, progress)
-			.resolve(frames, fixedEnd, parameters.length(), parameters.corrections())
+		final FrameResolver resolver = new FrameResolver(parameters,
+			Clipping.of(movie, wanted).kinds(), workers, progress);
+		final Found found = resolver.resolve(frames, fixedEnd)
 			.orElseThrow(() -> nothingFound(movie));
-		return new Resolution(movie, parameters,
-			java.util.Optional.of(resolved.estimate().fixedEnd()), resolved.estimate().length(),
-			resolved.estimate().lengthError(), everyFrame(movie, resolved.frames()),
-			List.of(resolved.estimate().model().toString()));
-	}
-
-	private CandidateGenerator generator() {
-		return parameters.candidates() == CandidateMethod.PAPER
-			? PaperCandidates.DEFAULT
-			: TrailCandidates.DEFAULT;
+		return new Resolution(movie, parameters, Optional.of(found.fixedEnd()), found.length(),
+			found.lengthError(), everyFrame(movie, found.frames()), found.notes());
 	}
 
 	private static List<TrackedFrame> everyFrame(final Movie movie,

@@ -40,11 +40,13 @@ final class FramePreparer {
 		return segmenter.segment(cleaner.clean(movie.frame(frame - 1)));
 	}
 
+	/** The frame above its background; pixels without a value are taken for background. */
 	private NormalizedFrame light(final int frame) {
 		final double[] pixels = Pixels.doubles(movie.frame(frame - 1));
-		final double[] sorted = pixels.clone();
-		Arrays.sort(sorted);
-		return new NormalizedFrame(movie.width(), movie.height(), pixels)
-			.rescaled(sorted[sorted.length / 2], 1);
+		final double[] sorted = Arrays.stream(pixels).filter(Double::isFinite).sorted().toArray();
+		final double background = sorted.length == 0 ? 0 : sorted[sorted.length / 2];
+		for (int i = 0; i < pixels.length; i++)
+			pixels[i] = Double.isFinite(pixels[i]) ? pixels[i] - background : 0;
+		return new NormalizedFrame(movie.width(), movie.height(), pixels);
 	}
 }

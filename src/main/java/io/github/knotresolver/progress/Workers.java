@@ -2,12 +2,14 @@ package io.github.knotresolver.progress;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 
 /**
  * Threads for work on many frames. Results come in the order of the tasks, so
@@ -15,17 +17,24 @@ import java.util.function.IntFunction;
  */
 public final class Workers implements AutoCloseable {
 
-	private final ExecutorService executor;
+	/** No threads of its own: all work is done by the thread that asks. */
+	public static final Workers HERE = new Workers();
+
+	private final Optional<ExecutorService> executor;
+
+	private Workers() {
+		executor = Optional.empty();
+	}
 
 	/**
 	 * @param threads number of threads, at least 1
 	 */
 	public Workers(final int threads) {
-		executor = Executors.newFixedThreadPool(threads, work -> {
+		executor = Optional.of(Executors.newFixedThreadPool(threads, work -> {
 			final Thread thread = new Thread(work, "KnotResolver worker");
 			thread.setDaemon(true);
 			return thread;
-		});
+		}));
 	}
 
 	/**
@@ -38,15 +47,17 @@ public final class Workers implements AutoCloseable {
 	 * @throws CancelledException if the thread was interrupted
 	 */
 	public <T> List<T> map(final int count, final IntFunction<T> task) {
+		if (executor.isEmpty())
+			return IntStream.range(0, count).mapToObj(task).toList();
 		final List<Callable<T>> tasks = new ArrayList<>();
 		for (int i = 0; i < count; i++) {
 			final int index = i;
 			tasks.add(() -> task.apply(index));
 		}
-		return run(tasks);
+		return run(tasks, executor.get());
 	}
 
-	private <T> List<T> run(final List<Callable<T>> tasks) {
+	private static <T> List<T> run(final List<Callable<T>> tasks, final ExecutorService executor) {
 		try {
 			final List<T> results = new ArrayList<>();
 			for (final Future<T> future : executor.invokeAll(tasks))
@@ -67,6 +78,6 @@ public final class Workers implements AutoCloseable {
 	/** Stops the threads; work that goes on is interrupted. */
 	@Override
 	public void close() {
-		executor.shutdownNow();
+		executor.ifPresent(ExecutorService::shutdownNow);
 	}
 }

@@ -1,16 +1,13 @@
 package io.github.knotresolver.track;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
-import java.util.concurrent.Callable;
-import java.util.concurrent.ExecutorService;
 
 import io.github.knotresolver.contour.DynamicTimeWarping;
 import io.github.knotresolver.contour.EqualArcDistance;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
 
 /**
  * How far contours of neighbouring frames are apart, as an edge price of the trellis:
@@ -47,22 +44,19 @@ public final class ContourDistance implements EdgePrice {
 	 * @param contours for each frame its contours, in pixels, the most likely first; none
 	 *          in frames that are skipped
 	 * @param weight price of moving as far as is typical (at least 1 px), at least 0
-	 * @param executor computes frames in parallel; empty for the calling thread
+	 * @param workers threads
 	 * @param progress asked whether to stop
 	 */
 	public ContourDistance(final List<List<Polyline>> contours, final double weight,
-		final Optional<ExecutorService> executor, final Progress progress) {
+		final Workers workers, final Progress progress) {
 		if (!(weight >= 0))
 			throw new IllegalArgumentException(
 				"The weight of the distance must be at least 0, but is " + weight + ".");
 		final List<List<Polyline>> sampled = contours.stream()
 			.map(frame -> frame.stream().map(c -> c.every(STEP)).toList()).toList();
-		final List<Callable<double[][]>> tasks = new ArrayList<>();
-		for (int t = 0; t < sampled.size(); t++) {
-			final List<Polyline> from = sampled.get(t), to = next(sampled, t);
-			tasks.add(() -> distances(from, to, progress));
-		}
-		fromFrame = FrameTasks.run(tasks, executor).toArray(double[][][]::new);
+		fromFrame = workers
+			.map(sampled.size(), t -> distances(sampled.get(t), next(sampled, t), progress))
+			.toArray(double[][][]::new);
 		this.weight = weight;
 		typical = typical();
 	}

@@ -8,38 +8,47 @@ import java.util.Optional;
 import io.github.knotresolver.candidate.Candidate;
 import io.github.knotresolver.candidate.CandidateSet;
 import io.github.knotresolver.contour.ContourBuilder;
+import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.fit.FilamentEstimator;
 import io.github.knotresolver.fit.FilamentFitter;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.StartMaker;
+import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 
 /**
- * Turns the graph's candidates of a frame into fits: all of the cheapest are drawn
- * and compared with the picture as they are, and those that explain it best are
- * fitted.
+ * Turns the graph's candidates of a frame into fits: the cheapest are drawn and compared
+ * with the picture as they are, and those that explain it best are fitted.
+ *
+ * @param estimate what is known about the filament
+ * @param freeLength whether a start has the contour's own length
  */
-record FitProposals(FilamentEstimate estimate, int drawn, int fitted) {
+record FitProposals(FilamentEstimate estimate, boolean freeLength) {
 
-	static FitProposals with(final FilamentEstimate estimate) {
-		return new FitProposals(estimate, 12, 4);
-	}
+	/** So many of the cheapest candidates are drawn ... */
+	private static final int DRAWN = 12;
+
+	/** ... and so many of those fitted. */
+	private static final int FITTED = 4;
 
 	List<Fit> of(final CandidateSet set, final FilamentFitter fitter) {
 		final List<Fit> rough = new ArrayList<>();
-		for (final Candidate c : set.candidates().stream().limit(drawn).toList())
-			rough.add(fitter.price(StartMaker.start(ContourBuilder.smooth(c), estimate.fixedEnd(),
-				FilamentEstimator.links(estimate.length()), estimate.length())));
+		for (final Candidate c : set.candidates().stream().limit(DRAWN).toList())
+			rough.add(fitter.price(start(ContourBuilder.smooth(c), estimate.fixedEnd())));
 		final FitPool pool = new FitPool();
-		rough.stream().sorted(Comparator.comparingDouble(Fit::energy)).limit(fitted)
+		rough.stream().sorted(Comparator.comparingDouble(Fit::energy)).limit(FITTED)
 			.forEach(r -> pool.add(fitter.fit(r.chain(), Optional.empty())));
 		return pool.fits();
 	}
 
-	/** The only fit of a frame for which the user gave a contour. */
+	/** The only fit of a frame for which a contour was given. */
 	List<Fit> of(final Polyline given, final FilamentFitter fitter) {
-		return List.of(fitter.fit(StartMaker.start(given, given.first(),
-			FilamentEstimator.links(estimate.length()), estimate.length()), Optional.empty()));
+		return List.of(fitter.fit(start(given, given.first()), Optional.empty()));
+	}
+
+	private Chain start(final Polyline contour, final Point from) {
+		final double length = freeLength ? contour.length() : estimate.length();
+		return StartMaker.start(contour, from, FilamentEstimator.links(estimate.length()), length);
 	}
 }

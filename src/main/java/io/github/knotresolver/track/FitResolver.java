@@ -13,6 +13,7 @@ import java.util.stream.IntStream;
 import io.github.knotresolver.candidate.CandidateGenerator;
 import io.github.knotresolver.candidate.CandidateQuery;
 import io.github.knotresolver.candidate.CandidateSet;
+import io.github.knotresolver.fit.Bleaching;
 import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.fit.FilamentEstimator;
 import io.github.knotresolver.fit.FilamentEstimator.Sighting;
@@ -39,19 +40,22 @@ public final class FitResolver {
 
 	private final CandidateGenerator generator;
 	private final Set<LineModel.Kind> kinds;
+	private final boolean freeLength;
 	private final Workers workers;
 	private final Progress progress;
 
 	/**
 	 * @param generator proposes contours
 	 * @param kinds how strands may add up in this movie, at least one
+	 * @param freeLength whether the filament may grow and shrink
 	 * @param workers threads
 	 * @param progress told how far the work is, and asked whether to stop
 	 */
 	public FitResolver(final CandidateGenerator generator, final Set<LineModel.Kind> kinds,
-		final Workers workers, final Progress progress) {
+		final boolean freeLength, final Workers workers, final Progress progress) {
 		this.generator = generator;
 		this.kinds = EnumSet.copyOf(kinds);
+		this.freeLength = freeLength;
 		this.workers = workers;
 		this.progress = progress;
 	}
@@ -76,20 +80,38 @@ public final class FitResolver {
 	 */
 	public Optional<Resolved> resolve(final List<FrameView> frames, final Point fixedEnd,
 		final OptionalDouble length, final Map<Integer, Polyline> corrections) {
-		final List<Sighting> sightings = Sightings.choose(frames,
-			candidates(frames, fixedEnd, OptionalDouble.empty()));
-		if (sightings.isEmpty())
-			return Optional.empty();
+		final List<CandidateSet> first = candidates(frames, fixedEnd, OptionalDouble.empty());
+		final List<FrameView> steady = withoutBleaching(frames, first);
+		final List<Sighting> sightings = Sightings.choose(steady, first);
+		return sightings.isEmpty()
+			? Optional.empty()
+			: Optional.of(resolve(steady, fixedEnd, estimate(sightings, length), corrections));
+	}
+
+	private List<FrameView> withoutBleaching(final List<FrameView> frames,
+		final List<CandidateSet> sets) {
+		final Bleaching bleaching = Bleaching.learn(IntStream.range(0, frames.size())
+			.mapToDouble(t -> StrandLight.of(frames.get(t), sets.get(t))).toArray());
+		return IntStream.range(0, frames.size())
+			.mapToObj(t -> frames.get(t).scaled(bleaching.factor(t))).toList();
+	}
+
+	private FilamentEstimate estimate(final List<Sighting> sightings, final OptionalDouble length) {
 		progress.report("Learning what the filament looks like", 0.4);
-		final FilamentEstimate learned = FilamentEstimator.estimate(sightings, kinds, progress);
-		final FilamentEstimate estimate = length.isPresent()
-			? learned.withLength(length.getAsDouble())
-			: learned;
+		final FilamentEstimate learned = FilamentEstimator.estimate(sightings, kinds, workers,
+			progress);
+		return length.isPresent() ? learned.withLength(length.getAsDouble()) : learned;
+	}
+
+	private Resolved resolve(final List<FrameView> frames, final Point fixedEnd,
+		final FilamentEstimate estimate, final Map<Integer, Polyline> corrections) {
 		final List<CandidateSet> sets = candidates(frames, fixedEnd,
 			OptionalDouble.of(estimate.length()));
-		final List<List<Fit>> pools = pools(frames, estimate, sets, corrections);
-		return Optional.of(new Resolved(estimate,
-			new FitTrellis(frames, estimate, pools, sets).solve(corrections.keySet(), progress)));
+		final List<NormalizedFrame> light = frames.stream()
+			.map(f -> f.light().rescaled(0, estimate.amplitude())).toList();
+		final List<List<Fit>> pools = pools(frames, light, estimate, sets, corrections);
+		return new Resolved(estimate, new FitTrellis(frames, light, estimate, pools, sets)
+			.solve(corrections.keySet(), progress));
 	}
 
 	private List<CandidateSet> candidates(final List<FrameView> frames, final Point fixedEnd,
@@ -98,15 +120,14 @@ public final class FitResolver {
 			.generate(CandidateQuery.of(frames.get(t).graph(), fixedEnd, length), progress));
 	}
 
-	private List<List<Fit>> pools(final List<FrameView> frames, final FilamentEstimate estimate,
-		final List<CandidateSet> sets, final Map<Integer, Polyline> corrections) {
+	private List<List<Fit>> pools(final List<FrameView> frames, final List<NormalizedFrame> light,
+		final FilamentEstimate estimate, final List<CandidateSet> sets,
+		final Map<Integer, Polyline> corrections) {
 		final int n = frames.size();
-		final List<NormalizedFrame> light = frames.stream()
-			.map(f -> f.light().rescaled(0, estimate.amplitude())).toList();
 		final IntFunction<FilamentFitter> fitters = t -> new FilamentFitter(light.get(t),
 			estimate.model(), FilamentEstimator.links(estimate.length()),
-			Optional.of(estimate.fixedEnd()), FitSettings.DEFAULT);
-		final FitProposals proposer = FitProposals.with(estimate);
+			Optional.of(estimate.fixedEnd()), FitSettings.DEFAULT.withFreeLength(freeLength));
+		final FitProposals proposer = new FitProposals(estimate, freeLength);
 		progress.report("Fitting the graph's candidates", 0.5);
 		final List<List<Fit>> proposals = workers.map(n, t -> {
 			progress.checkCancelled();
@@ -116,18 +137,16 @@ public final class FitResolver {
 				: proposer.of(given, fitters.apply(t));
 		});
 		progress.report("Following the filament forwards and backwards", 0.7);
-		final Propagation propagation = new Propagation(WIDTH, MotionPrice.DEFAULT, fitters,
-			proposals, progress);
+		final Propagation propagation = new Propagation(WIDTH, MotionPrice.learn(proposals),
+			fitters, proposals, t -> corrections.containsKey(frames.get(t).frame()), progress);
 		final List<List<List<Fit>>> walks = workers.map(2, direction -> propagation
 			.walk(IntStream.range(0, n).map(i -> direction == 0 ? i : n - 1 - i).toArray()));
 		final List<List<Fit>> pools = new ArrayList<>();
 		for (int t = 0; t < n; t++) {
 			final FitPool pool = new FitPool();
 			proposals.get(t).forEach(pool::add);
-			if (!corrections.containsKey(frames.get(t).frame())) {
-				walks.get(0).get(t).forEach(pool::add);
-				walks.get(1).get(n - 1 - t).forEach(pool::add);
-			}
+			walks.get(0).get(t).forEach(pool::add);
+			walks.get(1).get(n - 1 - t).forEach(pool::add);
 			pools.add(pool.fits());
 		}
 		return pools;

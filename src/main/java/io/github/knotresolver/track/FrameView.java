@@ -15,4 +15,12 @@ import io.github.knotresolver.graph.SkeletonGraph;
  * @param graph the graph of their skeletons
  */
 public record FrameView(int frame, NormalizedFrame light, Img<BitType> mask, SkeletonGraph graph) {
+
+	/**
+	 * @param amplitude the brightness that becomes 1
+	 * @return the same frame with its light in other units
+	 */
+	FrameView scaled(final double amplitude) {
+		return new FrameView(frame, light.rescaled(0, amplitude), mask, graph);
+	}
 }

@@ -1,24 +1,64 @@
 package io.github.knotresolver.track;
 
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+
 import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.Fit;
 
 /**
- * What it costs a filament to move from one frame to the next: how far points at
- * equal arc length from the fixed end, that is the material itself, have moved, and
- * how far they have turned. A loop that is run the other way round in the next frame
+ * What it costs a filament to move from one frame to the next: how much farther than
+ * usual points at equal arc length from the fixed end, that is the material itself, have
+ * moved, and how much farther than usual they have turned. Usual motion is nearly free,
+ * whatever the frame interval, so that a contour that stands still is no cheaper than one
+ * that follows the filament. A loop that is run the other way round in the next frame
  * covers the same pixels, but has turned by a full turn.
  *
- * @param perPixel price of one pixel of mean motion
- * @param perRadian price of one radian of mean turn
+ * @param usualMotion usual mean motion between neighbouring frames in pixels, above 0
+ * @param usualTurn usual mean turn between neighbouring frames in radians, above 0
  */
-record MotionPrice(double perPixel, double perRadian) {
+record MotionPrice(double usualMotion, double usualTurn) {
 
-	/** The weights that were found to work, with energies in strand intensities squared. */
-	static final MotionPrice DEFAULT = new MotionPrice(
-		Double.parseDouble(System.getProperty("pp", "1")),
-		Double.parseDouble(System.getProperty("pr", "4")));
+	private static final double LEAST_MOTION = 0.5;
+	private static final double LEAST_TURN = 0.05;
+
+	/** Price of usual motion, in strand intensities squared. */
+	private static final double USUAL = 0.2;
+
+	/** Price of each further multiple of usual motion. */
+	private static final double FURTHER = 0.7;
+
+	/**
+	 * Learns what is usual from the best fits of neighbouring frames, each for itself.
+	 *
+	 * @param proposals fits of every frame
+	 */
+	static MotionPrice learn(final List<List<Fit>> proposals) {
+		final List<Chain> best = proposals.stream()
+			.map(p -> p.stream().min(Comparator.comparingDouble(Fit::energy)))
+			.flatMap(Optional::stream).map(Fit::chain).toList();
+		final int steps = Math.max(0, best.size() - 1);
+		final double[] motion = new double[steps], turn = new double[steps];
+		for (int t = 0; t < steps; t++) {
+			motion[t] = best.get(t).distance(best.get(t + 1));
+			turn[t] = best.get(t).turn(best.get(t + 1));
+		}
+		return new MotionPrice(Math.max(LEAST_MOTION, median(motion)),
+			Math.max(LEAST_TURN, median(turn)));
+	}
+
+	private static double median(final double[] values) {
+		Arrays.sort(values);
+		return values.length == 0 ? 0 : values[values.length / 2];
+	}
 
 	double between(final Chain a, final Chain b) {
-		return perPixel * a.distance(b) + perRadian * a.turn(b);
+		return price(a.distance(b) / usualMotion) + price(a.turn(b) / usualTurn);
+	}
+
+	private static double price(final double multiple) {
+		return USUAL * multiple + FURTHER * Math.max(0, multiple - 1);
 	}
 }

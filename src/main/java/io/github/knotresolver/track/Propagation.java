@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntFunction;
+import java.util.function.IntPredicate;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.FilamentFitter;
@@ -22,13 +23,17 @@ final class Propagation {
 	/** Share of the last step that is expected to go on. */
 	private static final double INERTIA = 0.7;
 
+	/** Motion below this (pixels) needs no start of its own. */
+	private static final double SLOW = 0.75;
+
 	/** A hypothesis that is this much more expensive than the best is dropped. */
-	private static final double HOPELESS = 25;
+	private static final double HOPELESS = 12;
 
 	private final int width;
 	private final MotionPrice motion;
 	private final IntFunction<FilamentFitter> fitters;
 	private final List<List<Fit>> proposals;
+	private final IntPredicate given;
 	private final Progress progress;
 
 	/**
@@ -36,15 +41,17 @@ final class Propagation {
 	 * @param motion price of moving between frames
 	 * @param fitters gives the fitter of a frame
 	 * @param proposals fits of the graph's candidates, by frame
+	 * @param given whether a frame's contour was given: then nothing else is tried
 	 * @param progress asked whether to stop
 	 */
 	Propagation(final int width, final MotionPrice motion,
 		final IntFunction<FilamentFitter> fitters, final List<List<Fit>> proposals,
-		final Progress progress) {
+		final IntPredicate given, final Progress progress) {
 		this.width = width;
 		this.motion = motion;
 		this.fitters = fitters;
 		this.proposals = proposals;
+		this.given = given;
 		this.progress = progress;
 	}
 
@@ -64,10 +71,7 @@ final class Propagation {
 		for (final int frame : order) {
 			progress.checkCancelled();
 			final List<Hypothesis> next = new ArrayList<>();
-			final List<Fit> fits = new ArrayList<>();
-			if (!beam.isEmpty())
-				for (final Fit fit : carried(frame, beam, next))
-					fits.add(fit);
+			final List<Fit> fits = given.test(frame) ? List.of() : carried(frame, beam, next);
 			for (final Fit proposal : proposals.get(frame))
 				next.add(joined(proposal, beam));
 			beam = best(next);
@@ -84,7 +88,8 @@ final class Propagation {
 			final Chain here = h.fit.chain();
 			final Optional<Chain> heading = h.before.map(b -> here.extrapolated(b, INERTIA));
 			final List<Chain> starts = new ArrayList<>(List.of(here));
-			h.before.ifPresent(b -> starts.add(here.extrapolated(b, 1)));
+			h.before.map(b -> here.extrapolated(b, 1)).filter(s -> s.distance(here) > SLOW)
+				.ifPresent(starts::add);
 			for (final Chain start : starts) {
 				final Fit fit = fitter.fit(start, Optional.of(heading.orElse(here)));
 				fits.add(fit);

@@ -49,6 +49,15 @@ public record TrackedFrame(int frame, FrameStatus status, String reason, Optiona
 			Double.NaN);
 	}
 
+	/**
+	 * @param better another contour for this frame, in pixels
+	 * @return the same frame with that contour
+	 */
+	public TrackedFrame withContour(final Polyline better) {
+		return new TrackedFrame(frame, status, reason, Optional.of(better), junctions, candidates,
+			cost, confidence);
+	}
+
 	/** @return how often the contour crosses itself; 0 without a contour */
 	public int crossings() {
 		return contour.map(c -> Crossings.of(c).size()).orElse(0);

@@ -5,8 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeSet;
-import java.util.concurrent.Callable;
-import java.util.concurrent.ExecutorService;
 import java.util.stream.IntStream;
 
 import io.github.knotresolver.candidate.CandidateGenerator;
@@ -14,6 +12,7 @@ import io.github.knotresolver.candidate.CandidateQuery;
 import io.github.knotresolver.contour.EqualArcDistance;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
 
 /**
  * Our method: the candidates of all frames are the vertices of a {@link Trellis}, and
@@ -29,11 +28,10 @@ import io.github.knotresolver.progress.Progress;
  *
  * @param generator proposes contours
  * @param motion price of moving as far as is typical between frames, at least 0
- * @param executor runs frames in parallel; empty to use the calling thread; the result
- *          is the same
+ * @param workers threads; the result does not depend on their number
  */
 public record TrellisResolver(CandidateGenerator generator, double motion,
-	Optional<ExecutorService> executor) implements Resolver {
+	Workers workers) implements Resolver {
 
 	/** Price of typical motion that has been found to work. */
 	public static final double DEFAULT_MOTION = 16;
@@ -53,7 +51,7 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 	 * @param generator proposes contours
 	 */
 	public TrellisResolver(final CandidateGenerator generator) {
-		this(generator, DEFAULT_MOTION, Optional.empty());
+		this(generator, DEFAULT_MOTION, Workers.HERE);
 	}
 
 	private record Solution(List<FrameCandidates> columns, TrellisPath path,
@@ -105,13 +103,11 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 
 	private Solution solve(final ResolverQuery query, final OptionalDouble length,
 		final Progress progress) {
-		final List<Callable<FrameCandidates>> tasks = new ArrayList<>();
-		for (final FrameGraph frame : query.frames())
-			tasks.add(() -> column(query, frame, length, progress));
-		final List<FrameCandidates> columns = FrameTasks.run(tasks, executor);
+		final List<FrameCandidates> columns = workers.map(query.frames().size(),
+			t -> column(query, query.frames().get(t), length, progress));
 		progress.report("Resolving", 0.5);
 		final ContourDistance distance = new ContourDistance(
-			columns.stream().map(FrameCandidates::contours).toList(), motion, executor, progress);
+			columns.stream().map(FrameCandidates::contours).toList(), motion, workers, progress);
 		return new Solution(columns, Trellis
 			.solve(columns.stream().map(FrameCandidates::priceArray).toList(), distance, progress),
 			length);

@@ -24,7 +24,7 @@ class FilamentFitterTest {
 		final Chain truth = loop(0.42);
 		final NormalizedFrame frame = picture(truth, model);
 		final FilamentFitter fitter = new FilamentFitter(frame, model, LINKS,
-			Optional.of(truth.start()), new FitSettings(1e-4, 3, 0, 60, 1e-9));
+			Optional.of(truth.start()), new FitSettings(1e-4, 3, 0, 60, 1e-9, false));
 		final Fit fit = fitter.fit(loop(0.40), Optional.empty());
 		assertTrue(fit.chain().distance(truth) < 0.02,
 			kind + " is off by " + fit.chain().distance(truth) + " px");
@@ -38,10 +38,11 @@ class FilamentFitterTest {
 		final Chain truth = loop(0.2);
 		final NormalizedFrame frame = picture(truth, model);
 		final FilamentFitter fitter = new FilamentFitter(frame, model, LINKS, Optional.empty(),
-			new FitSettings(1e-4, 0, 0, 100, 1e-10));
+			new FitSettings(1e-4, 0, 0, 100, 1e-10, true));
 		final Polyline curve = truth.polyline();
-		final Fit fit = fitter
-			.fitLength(Chain.along(curve.head(108).reversed().head(100).reversed(), LINKS, 100));
+		final Fit fit = fitter.fit(
+			Chain.along(curve.head(108).reversed().head(100).reversed(), LINKS, 100),
+			Optional.empty());
 		assertEquals(truth.length(), fit.chain().length(), 0.05);
 		assertTrue(fit.chain().distance(truth) < 0.05,
 			kind + " is off by " + fit.chain().distance(truth) + " px");

@@ -1,6 +1,7 @@
 
 package io.github.knotresolver.fit;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Random;
@@ -26,7 +27,7 @@ class ImageTermTest {
 			final double[] x = new double[LINKS + 1], y = new double[LINKS + 1];
 			loop(random).nodes(x, y);
 			final ImageTerm term = ImageTerm.of(frame, model, LINKS);
-			final NodeSystem system = new NodeSystem(LINKS + 1);
+			final NodeSystem system = new NodeSystem(LINKS + 1, LINKS);
 			term.evaluate(x, y, LINKS, system);
 			double scale = 0;
 			for (final double v : system.vector)
@@ -54,7 +55,7 @@ class ImageTermTest {
 		final Chain chain = loop(random);
 		final double[] x = new double[LINKS + 1], y = new double[LINKS + 1];
 		chain.nodes(x, y);
-		final NodeSystem nodes = new NodeSystem(LINKS + 1);
+		final NodeSystem nodes = new NodeSystem(LINKS + 1, LINKS);
 		ImageTerm.of(frame, model, LINKS).evaluate(x, y, LINKS, nodes);
 		final ReducedSystem reduced = new ReducedSystem(LINKS, true);
 		reduced.reduce(nodes, x, y, chain.linkLength());
@@ -72,6 +73,34 @@ class ImageTermTest {
 				assertEquals(sum, reduced.matrix[a][b], 1e-7 * (1 + Math.abs(sum)),
 					"entry " + a + "," + b);
 			}
+		}
+	}
+
+	@Test
+	void theRecursionAlongTheChainSolvesTheDenseSystem() {
+		for (long seed = 1; seed <= 10; seed++) {
+			final Random random = new Random(seed);
+			final LineModel model = model(LineModel.Kind.SATURATING);
+			final NormalizedFrame frame = noisyFrame(model, random);
+			final Chain chain = loop(random);
+			final double[] x = new double[LINKS + 1], y = new double[LINKS + 1];
+			chain.nodes(x, y);
+			final double[][] steps = new double[2][];
+			for (int s = 0; s < 2; s++) {
+				final NodeSystem nodes = new NodeSystem(LINKS + 1, s == 0 ? LINKS : 1);
+				ImageTerm.of(frame, model, LINKS).evaluate(x, y, LINKS, nodes);
+				final StepSystem system = s == 0
+					? new ReducedSystem(LINKS, false)
+					: new ChainSystem(LINKS);
+				system.reduce(nodes, x, y, chain.linkLength());
+				system.addStart(3, 0.4, -0.7);
+				for (int i = 1; i < LINKS; i++)
+					system.addBend(i, 0.3 + 0.01 * i, 0.02 * i);
+				for (int i = 0; i < LINKS; i++)
+					system.addAngle(i, 0.05, 0.1 - 0.01 * i);
+				steps[s] = system.solve(0.01);
+			}
+			assertArrayEquals(steps[0], steps[1], 1e-8, "seed " + seed);
 		}
 	}
 
@@ -120,8 +149,7 @@ class ImageTermTest {
 	}
 
 	private static double full(final NodeSystem nodes, final int i, final int j) {
-		final boolean upper = i / 2 <= j / 2;
-		return upper ? nodes.matrix[i * nodes.size + j] : nodes.matrix[j * nodes.size + i];
+		return i / 2 <= j / 2 ? nodes.get(i, j) : nodes.get(j, i);
 	}
 
 	private static double[][] jacobian(final double[] x, final double[] y, final double h) {

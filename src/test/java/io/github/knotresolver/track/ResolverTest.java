@@ -10,8 +10,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 
 import org.junit.jupiter.api.Test;
 
@@ -24,6 +22,7 @@ import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
 
 class ResolverTest {
 
@@ -131,12 +130,9 @@ class ResolverTest {
 	void sameResultOnAnyNumberOfThreads() {
 		final ResolverQuery q = query(knot(0), knot(2), OPEN, OPEN, OPEN);
 		final Track one = MOVIE.resolve(q, Progress.NONE);
-		final ExecutorService executor = Executors.newFixedThreadPool(4);
-		try {
+		try (Workers workers = new Workers(4)) {
 			assertEquals(one, new TrellisResolver(TrailCandidates.DEFAULT,
-				TrellisResolver.DEFAULT_MOTION, Optional.of(executor)).resolve(q, Progress.NONE));
-		} finally {
-			executor.shutdown();
+				TrellisResolver.DEFAULT_MOTION, workers).resolve(q, Progress.NONE));
 		}
 	}
 

@@ -1,0 +1,69 @@
+package io.github.knotresolver.fit;
+
+/**
+ * How well a fitted chain agrees with its frame, in figures that can be compared between
+ * frames.
+ *
+ * @param misfit robust price of the pixels around the chain, per pixel of length
+ * @param dark share of the chain inside the frame, 0..1, that runs where there is hardly any
+ *            light
+ */
+public record FitQuality(double misfit, double dark) {
+
+	/** Pixels within this distance count as around the chain. */
+	private static final double RADIUS = 7;
+
+	/** Light below this share of a strand's is hardly any. */
+	private static final double DARK = 0.35;
+
+	/**
+	 * Looks at a chain in its frame. O(length).
+	 *
+	 * @param frame the frame
+	 * @param model what a line looks like
+	 * @param chain the chain
+	 * @return its quality
+	 */
+	public static FitQuality of(final NormalizedFrame frame, final LineModel model,
+		final Chain chain) {
+		final double[] picture = Neighbourhood.draw(frame, model, chain);
+		final boolean[] near = Neighbourhood.of(frame, chain, RADIUS);
+		double sum = 0;
+		for (int i = 0; i < picture.length; i++)
+			if (near[i])
+				sum += Robust.price(frame.pixels()[i] - picture[i]);
+		return new FitQuality(sum / chain.length(), dark(frame, model, chain));
+	}
+
+	private static double dark(final NormalizedFrame frame, final LineModel model,
+		final Chain chain) {
+		final double[] x = new double[chain.links() + 1], y = new double[chain.links() + 1];
+		chain.nodes(x, y);
+		final double[] brightness = model.brightnessOfLinks(chain.links());
+		int inside = 0, bright = 0;
+		for (int i = 0; i < chain.links(); i++) {
+			final double middleX = 0.5 * (x[i] + x[i + 1]), middleY = 0.5 * (y[i] + y[i + 1]);
+			if (middleX < 0 || middleY < 0 || middleX > frame.width() - 1
+				|| middleY > frame.height() - 1)
+				continue;
+			inside++;
+			if (mean(frame, middleX, middleY) >= DARK * brightness[i])
+				bright++;
+		}
+		return inside == 0 ? 1 : 1 - (double) bright / inside;
+	}
+
+	/** Mean of up to 3 x 3 pixels of the frame. */
+	private static double mean(final NormalizedFrame frame, final double x, final double y) {
+		final int column = (int) Math.rint(x), row = (int) Math.rint(y);
+		double sum = 0;
+		int count = 0;
+		for (int r = Math.max(0, row - 1); r <= Math.min(frame.height() - 1, row + 1); r++)
+			for (int c = Math.max(0, column - 1); c <= Math.min(frame.width() - 1,
+				column + 1); c++) {
+				sum += frame.pixels()[r * frame.width() + c];
+				count++;
+			}
+		return sum / count;
+	}
+}

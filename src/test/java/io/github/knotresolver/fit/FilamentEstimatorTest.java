@@ -1,0 +1,72 @@
+package io.github.knotresolver.fit;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Random;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+import io.github.knotresolver.fit.FilamentEstimator.Sighting;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
+
+class FilamentEstimatorTest {
+
+	private static final double LENGTH = 80;
+
+	@ParameterizedTest
+	@EnumSource
+	void learnsLineLengthAndFixedEnd(final LineModel.Kind kind) {
+		final LineModel model = LineModel.uniform(kind, 1.7,
+			kind == LineModel.Kind.ADDITIVE ? 1 : 1.6);
+		final FilamentEstimate estimate = estimate(model);
+		assertEquals(kind, estimate.model().kind());
+		assertEquals(1.7, estimate.model().sigma(), 0.05);
+		assertEquals(model.power(), estimate.model().power(), 0.15);
+		assertEquals(LENGTH, estimate.length(), 0.005 * LENGTH);
+		assertTrue(estimate.lengthError() < 0.01 * LENGTH, "error " + estimate.lengthError());
+		assertEquals(0, estimate.fixedEnd().distanceTo(new Point(22.4, 55.3)), 0.4);
+	}
+
+	@Test
+	void aDimTipIsStillTheTip() {
+		final LineModel model = new LineModel(LineModel.Kind.ADDITIVE, 1.7, 1,
+			new double[]{1, 1, 1, 1, 0.4});
+		final FilamentEstimate estimate = estimate(model);
+		final double[] brightness = estimate.model().brightness();
+		assertTrue(brightness[brightness.length - 1] < 0.8,
+			"the tip looks " + brightness[brightness.length - 1]);
+		assertEquals(LENGTH, estimate.length(), 0.02 * LENGTH);
+	}
+
+	/** From contours as skeletons give them: short at both ends, and jagged. */
+	private static FilamentEstimate estimate(final LineModel model) {
+		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(12, LENGTH, 0.7), List.of(),
+			model, 0.05, 11);
+		final Random random = new Random(5);
+		final List<Sighting> sightings = new ArrayList<>();
+		for (int t = 0; t < drawn.truth().size(); t++) {
+			final Polyline middle = drawn.truth().get(t).head(LENGTH - 3).reversed()
+				.head(LENGTH - 6).reversed().resampled(1);
+			final double[] x = middle.xs(), y = middle.ys();
+			for (int i = 0; i < x.length; i++) {
+				x[i] += 0.3 * random.nextGaussian();
+				y[i] += 0.3 * random.nextGaussian();
+			}
+			final Polyline jagged = Polyline.of(x, y);
+			sightings.add(new Sighting(drawn.frame(t), jagged.divided(12)));
+		}
+		try (Workers workers = new Workers(2)) {
+			return FilamentEstimator.estimate(sightings, EnumSet.allOf(LineModel.Kind.class),
+				workers, Progress.NONE);
+		}
+	}
+}

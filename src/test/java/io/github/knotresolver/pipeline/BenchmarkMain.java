@@ -1,0 +1,118 @@
+package io.github.knotresolver.pipeline;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.imagej.ImageFile;
+import io.github.knotresolver.imagej.ImageMovie;
+import io.github.knotresolver.io.InputOptions;
+import io.github.knotresolver.io.RunOptions;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.track.FrameStatus;
+import io.github.knotresolver.track.TrackedFrame;
+
+/**
+ * Resolves movies for {@code scripts/benchmark}, all in one warm JVM: for every mode a
+ * folder with the contours and the confidence of each movie, and {@code runs.csv} with
+ * the time of each. A movie that fails has no contours and says why.
+ */
+public final class BenchmarkMain {
+
+	/** The modes, as the command line's options. */
+	private static final Map<String, Map<String, String>> MODES = Map.of("default", Map.of(),
+		"published", Map.of("candidates", "paper", "resolver", "paper", "refine", "false"));
+
+	private final Path out;
+
+	private BenchmarkMain(final Path out) {
+		this.out = out;
+	}
+
+	/**
+	 * @param args folder of the results, modes separated by commas, movies
+	 * @throws IOException if the disk says no
+	 */
+	public static void main(final String[] args) throws IOException {
+		final BenchmarkMain benchmark = new BenchmarkMain(Path.of(args[0]));
+		final List<Path> movies = Arrays.stream(args).skip(2).map(Path::of).toList();
+		for (final String mode : args[1].split(","))
+			benchmark.run(mode, movies);
+	}
+
+	private void run(final String mode, final List<Path> movies) throws IOException {
+		final Path folder = Files.createDirectories(out.resolve(mode));
+		final Map<String, String> options = MODES.get(mode);
+		resolve(open(movies.get(0)), options);
+		try (PrintStream runs = writer(folder.resolve("runs.csv"))) {
+			runs.println("movie,seconds,failure");
+			for (final Path file : movies) {
+				final Movie movie = open(file);
+				final String name = file.getFileName().toString().replaceFirst("\\.tif$", "");
+				final long start = System.nanoTime();
+				final Resolution resolution = resolve(movie, options);
+				final double seconds = (System.nanoTime() - start) * 1e-9;
+				writeContours(folder.resolve(name + ".csv"), resolution);
+				writeFrames(folder.resolve(name + "_frames.csv"), resolution);
+				runs.printf(Locale.ROOT, "%s,%.3f,\"%s\"%n", name, seconds,
+					resolution.resolved() > 0 ? "" : String.join(" ", resolution.notes()));
+				System.err.printf(Locale.ROOT, "%s %s: %d frames, %.2f s%n", mode, name,
+					resolution.resolved(), seconds);
+			}
+		}
+	}
+
+	private static Movie open(final Path file) {
+		return ImageMovie.of(ImageFile.open(file), InputOptions.DEFAULT);
+	}
+
+	private static Resolution resolve(final Movie movie, final Map<String, String> options) {
+		final Parameters parameters = RunOptions.parse(options).parameters(movie);
+		try {
+			return new FilamentResolver(parameters).resolve(movie, Progress.NONE);
+		} catch (final IllegalArgumentException e) {
+			final List<TrackedFrame> none = IntStream.rangeClosed(1, movie.size())
+				.mapToObj(f -> TrackedFrame.without(f, FrameStatus.LOST, e.getMessage())).toList();
+			return new Resolution(movie, parameters, Optional.empty(), Double.NaN, Double.NaN, none,
+				List.of(e.getMessage()));
+		}
+	}
+
+	private static void writeContours(final Path file, final Resolution resolution)
+		throws IOException {
+		try (PrintStream csv = writer(file)) {
+			csv.println("frame,index,x_px,y_px");
+			for (final TrackedFrame frame : resolution.frames())
+				if (frame.contour().isPresent()) {
+					final Polyline c = frame.contour().get();
+					for (int i = 0; i < c.size(); i++)
+						csv.printf(Locale.ROOT, "%d,%d,%.4f,%.4f%n", frame.frame(), i, c.x(i),
+							c.y(i));
+				}
+		}
+	}
+
+	private static void writeFrames(final Path file, final Resolution resolution)
+		throws IOException {
+		try (PrintStream csv = writer(file)) {
+			csv.println("frame,status,confidence");
+			for (final TrackedFrame frame : resolution.frames())
+				csv.printf(Locale.ROOT, "%d,%s,%.6f%n", frame.frame(), frame.status().label(),
+					frame.confidence());
+		}
+	}
+
+	private static PrintStream writer(final Path file) throws IOException {
+		return new PrintStream(Files.newOutputStream(file), false, StandardCharsets.UTF_8);
+	}
+}

@@ -1,0 +1,215 @@
+package io.github.knotresolver.pipeline;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeSet;
+
+import net.imglib2.img.array.ArrayImgs;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+import io.github.knotresolver.contour.DiscreteFrechet;
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.DrawnMovie;
+import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.pipeline.Parameters.CandidateMethod;
+import io.github.knotresolver.pipeline.Parameters.LengthModel;
+import io.github.knotresolver.pipeline.Parameters.ResolverMethod;
+import io.github.knotresolver.progress.CancelledException;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.track.FrameStatus;
+
+class FilamentResolverTest {
+
+	private static final double LENGTH = 90;
+	private static final double NOISE = 0.06;
+
+	/** Frames with this amplitude cross themselves now and then. */
+	private static final double KNOTTED = 3.6;
+
+	private static final LineModel GAUSSIAN = LineModel.uniform(LineModel.Kind.ADDITIVE, 1.6, 1);
+
+	@ParameterizedTest
+	@EnumSource
+	void resolvesKnotsWithNothingTold(final LineModel.Kind kind) {
+		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(30, LENGTH, KNOTTED), List.of(),
+			LineModel.uniform(kind, 1.6, kind == LineModel.Kind.ADDITIVE ? 1 : 1.6), NOISE, 21);
+		final Resolution result = resolve(drawn, Parameters.DEFAULT);
+		assertTrue(result.frames().stream().anyMatch(f -> f.crossings() > 0),
+			"no frame crosses itself");
+		assertFollows(drawn, result, Set.of());
+		assertEquals(LENGTH, result.length(), 0.01 * LENGTH);
+		assertEquals(0, result.fixedEnd().orElseThrow().distanceTo(new Point(22.4, 55.3)), 1);
+	}
+
+	@Test
+	void aForeignFilamentThatTouchesForTenFramesDoesNotCaptureTheContour() {
+		final List<Chain> chains = DrawnMovie.waves(30, LENGTH, 0.9);
+		final List<List<Chain>> foreign = new ArrayList<>();
+		for (int t = 0; t < chains.size(); t++) {
+			// Comes from below, touches the filament's middle in frames 11 to 20, goes away.
+			final Point at = chains.get(t).polyline().at(LENGTH / 2);
+			final double away = t < 10 ? 12 + 2 * (10 - t) : t < 20 ? 0 : 12 + 2 * (t - 20);
+			foreign.add(List.of(Chain.along(Polyline.of(new double[]{at.x() - 14, at.x() + 18},
+				new double[]{at.y() + 12 + away, at.y() + away}), 10, 34)));
+		}
+		final DrawnMovie drawn = DrawnMovie.draw(chains, foreign, GAUSSIAN, NOISE, 22);
+		assertFollows(drawn, resolve(drawn, Parameters.DEFAULT), Set.of());
+	}
+
+	@Test
+	void aFrameWithoutTheFilamentIsLostAndTheOthersAreNot() {
+		final List<Chain> chains = DrawnMovie.waves(20, LENGTH, KNOTTED);
+		chains.set(8, null);
+		chains.set(9, null);
+		final DrawnMovie drawn = DrawnMovie.draw(chains, List.of(), GAUSSIAN, NOISE, 23);
+		final Resolution result = resolve(drawn, Parameters.DEFAULT);
+		assertEquals(FrameStatus.LOST, result.frames().get(8).status());
+		assertEquals(FrameStatus.LOST, result.frames().get(9).status());
+		assertFollows(drawn, result, Set.of(9, 10));
+	}
+
+	@Test
+	void framesAreLeftOutAsAskedButHaveARow() {
+		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(12, LENGTH, 0.8), List.of(),
+			GAUSSIAN, NOISE, 24);
+		final Resolution result = resolve(drawn, with(new TreeSet<>(Set.of(1, 2, 3, 4, 5, 6, 7, 8)),
+			new TreeSet<>(Set.of(3)), Map.of()));
+		assertEquals(12, result.frames().size());
+		assertEquals(7, result.resolved());
+		assertEquals(FrameStatus.IGNORED, result.frames().get(2).status());
+		assertEquals(FrameStatus.IGNORED, result.frames().get(11).status());
+	}
+
+	@Test
+	void aCorrectionIsKeptAndSaid() {
+		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(12, LENGTH, 0.8), List.of(),
+			GAUSSIAN, NOISE, 25);
+		final Polyline given = drawn.truth().get(4).divided(15);
+		final Resolution result = resolve(drawn,
+			with(new TreeSet<>(), new TreeSet<>(), Map.of(5, given)));
+		assertEquals(FrameStatus.CORRECTED, result.frames().get(4).status());
+		assertFollows(drawn, result, Set.of());
+	}
+
+	@Test
+	void aGrowingFilamentIsFollowedIfItsLengthIsFree() {
+		final List<Chain> chains = new ArrayList<>();
+		for (int t = 0; t < 25; t++)
+			chains.add(DrawnMovie.wave(t, 60 + t, 0.8));
+		final DrawnMovie drawn = DrawnMovie.draw(chains, List.of(), GAUSSIAN, NOISE, 26);
+		final Parameters d = Parameters.DEFAULT;
+		final Resolution result = resolve(drawn,
+			new Parameters(d.fixedEnd(), d.cleaning(), d.segmentation(), d.candidates(),
+				d.resolver(), d.length(), LengthModel.FREE, true, d.frames(), d.ignoreFrames(),
+				d.corrections(), 2));
+		for (int t = 0; t < 25; t++)
+			assertEquals(60 + t, result.frames().get(t).contour().orElseThrow().length(), 2,
+				"length in frame " + (t + 1));
+	}
+
+	@Test
+	void publishedAndSkeletonVariantsFollowASimpleFilament() {
+		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(12, LENGTH, 0.8), List.of(),
+			GAUSSIAN, NOISE, 27);
+		for (final boolean refine : new boolean[]{false, true})
+			for (final ResolverMethod resolver : ResolverMethod.values())
+				for (final CandidateMethod candidates : CandidateMethod.values()) {
+					final Parameters d = Parameters.DEFAULT;
+					final Resolution result = resolve(drawn,
+						new Parameters(d.fixedEnd(), d.cleaning(), d.segmentation(), candidates,
+							resolver, d.length(), d.lengthModel(), refine, d.frames(),
+							d.ignoreFrames(), d.corrections(), 2));
+					assertFollows(drawn, result, Set.of());
+				}
+	}
+
+	@Test
+	void aMovieWithoutAnythingSaysSo() {
+		final Movie empty = new Movie("nothing", ArrayImgs.floats(50, 40, 6), Calibration.NONE);
+		final String message = assertThrows(IllegalArgumentException.class,
+			() -> new FilamentResolver(Parameters.DEFAULT).resolve(empty, Progress.NONE))
+			.getMessage();
+		assertTrue(message.startsWith("No filament was found in 'nothing'"), message);
+	}
+
+	@Test
+	void whatDoesNotFitTheMovieIsNamed() {
+		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(3, LENGTH, 0.8), List.of(),
+			GAUSSIAN, NOISE, 28);
+		final Parameters d = Parameters.DEFAULT;
+		final Parameters outside = new Parameters(Optional.of(new Point(500, 3)), d.cleaning(),
+			d.segmentation(), d.candidates(), d.resolver(), OptionalDouble.empty(), d.lengthModel(),
+			true, d.frames(), d.ignoreFrames(), d.corrections(), 1);
+		assertMessage(drawn, outside, "500.0,3.0");
+		assertMessage(drawn, with(new TreeSet<>(Set.of(4)), new TreeSet<>(), Map.of()), "frame 4");
+		assertMessage(drawn, with(new TreeSet<>(Set.of(1)), new TreeSet<>(Set.of(1)), Map.of()),
+			"No frame is left");
+	}
+
+	@Test
+	void cancelsInTheMiddle() {
+		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(6, LENGTH, KNOTTED), List.of(),
+			GAUSSIAN, NOISE, 29);
+		final int[] asked = {0};
+		final Progress impatient = new Progress() {
+
+			@Override
+			public void report(final String stage, final double fraction) {
+			}
+
+			@Override
+			public synchronized boolean isCancelled() {
+				return ++asked[0] > 40;
+			}
+		};
+		assertThrows(CancelledException.class,
+			() -> new FilamentResolver(Parameters.DEFAULT).resolve(drawn.movie(), impatient));
+	}
+
+	private static void assertMessage(final DrawnMovie drawn, final Parameters parameters,
+		final String part) {
+		final String message = assertThrows(IllegalArgumentException.class,
+			() -> resolve(drawn, parameters)).getMessage();
+		assertTrue(message.contains(part), message);
+	}
+
+	private static Parameters with(final SortedSet<Integer> frames,
+		final SortedSet<Integer> ignored, final Map<Integer, Polyline> corrections) {
+		final Parameters d = Parameters.DEFAULT;
+		return new Parameters(d.fixedEnd(), d.cleaning(), d.segmentation(), d.candidates(),
+			d.resolver(), d.length(), d.lengthModel(), true, frames, ignored, corrections, 2);
+	}
+
+	private static Resolution resolve(final DrawnMovie drawn, final Parameters parameters) {
+		return new FilamentResolver(parameters).resolve(drawn.movie(), Progress.NONE);
+	}
+
+	private static void assertFollows(final DrawnMovie drawn, final Resolution result,
+		final Set<Integer> without) {
+		for (int t = 0; t < drawn.truth().size(); t++) {
+			if (without.contains(t + 1))
+				continue;
+			final Polyline contour = result.frames().get(t).contour().orElseThrow().resampled(1);
+			final double distance = DiscreteFrechet.distance(contour,
+				drawn.truth().get(t).resampled(1));
+			assertTrue(distance < 5,
+				"frame " + (t + 1) + " is off by " + distance + " px with " + result.parameters());
+		}
+	}
+}

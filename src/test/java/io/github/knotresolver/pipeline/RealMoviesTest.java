@@ -1,0 +1,48 @@
+package io.github.knotresolver.pipeline;
+
+import static org.junit.jupiter.api.Assertions.assertAll;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import io.github.knotresolver.imagej.ImageFile;
+import io.github.knotresolver.imagej.ImageMovie;
+import io.github.knotresolver.io.InputOptions;
+import io.github.knotresolver.progress.Progress;
+
+/**
+ * Real movies, nothing told: a stabilised microtubule keeps its length, never jumps,
+ * and stays where it is clamped.
+ */
+class RealMoviesTest {
+
+	private static final Path DATA = Path.of("..", "shared", "data", "real");
+
+	/** Largest step of the fixed end between neighbouring frames in pixels. */
+	private static final double STEADY = 0.5;
+
+	@ParameterizedTest
+	@CsvSource({"dyn1, 42, 0.006", "branchDemo, 36, 0.012"})
+	void isResolvedWithNothingTold(final String name, final int frames,
+		final double lengthVariation) {
+		final Path file = DATA.resolve(name + ".tif");
+		assumeTrue(Files.exists(file), "Not here: " + file);
+		final Resolution resolution = new FilamentResolver(Parameters.DEFAULT)
+			.resolve(ImageMovie.of(ImageFile.open(file), InputOptions.DEFAULT), Progress.NONE);
+		final Consistency consistency = Consistency.of(resolution.frames());
+		assertAll(name, () -> assertEquals(frames, resolution.resolved(), "frames with a contour"),
+			() -> assertEquals(List.of(), consistency.off(), "frames of another length"),
+			() -> assertEquals(List.of(), consistency.jumps(), "frames where the turning jumps"),
+			() -> assertTrue(consistency.lengthVariation() <= lengthVariation,
+				"length varies by " + consistency.lengthVariation()),
+			() -> assertTrue(consistency.endStep() <= STEADY,
+				"fixed end steps by " + consistency.endStep() + " px"));
+	}
+}
