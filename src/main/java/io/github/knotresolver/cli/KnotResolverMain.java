@@ -6,7 +6,6 @@ import java.nio.charset.StandardCharsets;
 
 import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.io.ProgramVersion;
-import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine;
@@ -69,13 +68,14 @@ public final class KnotResolverMain implements Runnable {
 		System.setProperty("java.awt.headless", "true");
 		final CommandLine line = new CommandLine(new KnotResolverMain())
 			.addSubcommand(new ResolveSubcommand(engine, progress))
+			.addSubcommand(new BatchSubcommand(engine, progress))
 			.addSubcommand(new MeasureSubcommand(progress))
 			.addSubcommand(new SimulateSubcommand(progress))
 			.addSubcommand(new EvaluateSubcommand(progress))
 			.setCaseInsensitiveEnumValuesAllowed(true);
 		line.setOut(out).setErr(err);
 		line.setParameterExceptionHandler((e, a) -> refuse(err, e));
-		line.setExecutionExceptionHandler((e, c, r) -> fail(err, e));
+		line.setExecutionExceptionHandler((e, c, r) -> fail(err, c, e));
 		try {
 			return line.execute(args);
 		} catch (final OutOfMemoryError e) {
@@ -99,14 +99,14 @@ public final class KnotResolverMain implements Runnable {
 		final String help = ours
 			? ""
 			: " (" + e.getCommandLine().getCommandSpec().qualifiedName() + " --help tells more)";
-		return oneLine(err, asOption(e.getMessage()) + help, ExitStatus.USAGE);
+		return oneLine(err, asOption(e.getCommandLine(), e.getMessage()) + help, ExitStatus.USAGE);
 	}
 
-	private static int fail(final PrintWriter err, final Exception e) {
+	private static int fail(final PrintWriter err, final CommandLine command, final Exception e) {
 		if (e instanceof CancelledException)
 			return oneLine(err, "Cancelled; nothing was written.", ExitStatus.CANCELLED);
 		if (e instanceof IllegalArgumentException)
-			return oneLine(err, asOption(e.getMessage()), ExitStatus.FAILED);
+			return oneLine(err, asOption(command, e.getMessage()), ExitStatus.FAILED);
 		if (e instanceof IOException)
 			return oneLine(err, "The result could not be written: " + e.getMessage() + ".",
 				ExitStatus.FAILED);
@@ -124,11 +124,12 @@ public final class KnotResolverMain implements Runnable {
 	}
 
 	/** Macros say {@code contraction_bias}, the command line says it so. */
-	private static String asOption(final String message) {
-		for (final String key : RunOptions.KEYS)
-			if (message.startsWith(key + " "))
-				return "--" + key.replace('_', '-') + message.substring(key.length());
-		return message;
+	private static String asOption(final CommandLine command, final String message) {
+		final String key = message.split(" ", 2)[0];
+		final String option = "--" + key.replace('_', '-');
+		return command.getCommandSpec().findOption(option) == null
+			? message
+			: option + message.substring(key.length());
 	}
 
 	/** Says which version this is. */

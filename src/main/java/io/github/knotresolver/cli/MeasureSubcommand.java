@@ -2,27 +2,15 @@ package io.github.knotresolver.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Locale;
-import java.util.Optional;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.concurrent.Callable;
 
-import io.github.knotresolver.geometry.Calibration;
-import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.imagej.plot.Figures;
+import io.github.knotresolver.imagej.plot.MeasurementFolder;
 import io.github.knotresolver.io.ContourInput;
-import io.github.knotresolver.io.MeasurementTables;
-import io.github.knotresolver.io.OptionText;
-import io.github.knotresolver.io.OriginalFiles;
-import io.github.knotresolver.io.OriginalStatistics;
+import io.github.knotresolver.io.MeasureOptions;
 import io.github.knotresolver.io.ResultFolder;
-import io.github.knotresolver.io.UnitText;
 import io.github.knotresolver.measure.MovieMeasurements;
-import io.github.knotresolver.measure.OriginalQuantities;
-import io.github.knotresolver.measure.Quantity;
-import io.github.knotresolver.measure.Rigidity;
-import io.github.knotresolver.measure.Smoothing;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -84,97 +72,30 @@ final class MeasureSubcommand implements Callable<Integer> {
 	public Integer call() throws IOException {
 		final ContourInput contours;
 		final MovieMeasurements m;
-		final Path folder = out != null ? out : beside(input);
+		final Path folder = out != null ? out : MeasurementFolder.beside(input);
 		try {
 			ResultFolder.check(folder, force);
 			contours = ContourInput.read(input);
-			final Calibration c = calibration(contours.calibration());
-			m = MovieMeasurements.of(contours.name(), contours.contours(), c,
-				smoothing(contours, c), stiffness(), progress);
+			m = options().measure(contours, progress);
 		} catch (final IllegalArgumentException e) {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
 		}
-		try (ResultFolder result = ResultFolder.prepare(folder, force)) {
-			new MeasurementTables(m).write(result.path());
-			if (originalDefinitions)
-				OriginalStatistics.write(result.path().resolve(OriginalFiles.STATISTICS),
-					original(contours, m.calibration()), m.calibration(), m.frequencyUnit());
-			if (plots)
-				Figures.writeAll(result.path(), m, progress);
-			progress.checkCancelled();
-			result.commit();
-		}
-		report(m, folder);
+		MeasurementFolder.write(m, folder, force, plots, originalDefinitions ? contours : null,
+			progress);
+		MeasurementFolder.report(m).forEach(spec.commandLine().getOut()::println);
+		spec.commandLine().getOut().println("Written to " + folder + ".");
 		return ExitStatus.FINISHED;
 	}
 
-	private static Path beside(final Path input) {
-		final Path path = input.toAbsolutePath().normalize();
-		return path.resolveSibling(
-			path.getFileName().toString().replaceFirst("\\.[^.]*$", "") + "-measured");
-	}
-
-	private Calibration calibration(final Calibration told) {
-		final double size = pixelSize == null
-			? told.pixelSize()
-			: OptionText.positive("pixel_size", pixelSize);
-		final String length = unit != null
-			? UnitText.length(unit)
-			: pixelSize != null && !told.hasLengthUnit() ? "µm" : told.unit();
-		return frameInterval == null
-			? new Calibration(size, length, told.frameInterval(), told.timeUnit())
-			: new Calibration(size, length, OptionText.positive("frame_interval", frameInterval),
-				"s");
-	}
-
-	private Optional<Smoothing> smoothing(final ContourInput contours, final Calibration c) {
-		if (window == null && order == null)
-			return Optional.empty();
-		final double width = window != null
-			? OptionText.positive("smoothing_window", window)
-			: Smoothing
-				.derivedFrom(contours.contours().stream().flatMap(Optional::stream).toList(), c)
-				.window();
-		return Optional.of(new Smoothing(width,
-			order == null
-				? Smoothing.DEFAULT_ORDER
-				: OptionText.wholeNumber("smoothing_order", order)));
-	}
-
-	private Rigidity stiffness() {
-		if (persistenceLength != null && rigidity != null)
-			throw new IllegalArgumentException(
-				"Give either --persistence-length or --rigidity, not both.");
-		if (persistenceLength != null)
-			return Rigidity
-				.ofPersistenceLength(OptionText.positive("persistence_length", persistenceLength));
-		return rigidity == null
-			? Rigidity.UNKNOWN
-			: Rigidity.ofFlexural(OptionText.positive("rigidity", rigidity));
-	}
-
-	private static OriginalQuantities original(final ContourInput input, final Calibration c) {
-		final List<Integer> frames = new ArrayList<>();
-		final List<Polyline> contours = new ArrayList<>();
-		for (int i = 0; i < input.contours().size(); i++) {
-			if (input.contours().get(i).isEmpty())
-				continue;
-			frames.add(i + 1);
-			contours.add(input.contours().get(i).orElseThrow());
-		}
-		return OriginalQuantities.of(frames, contours, c.pixelSize(), c.frameInterval());
-	}
-
-	private void report(final MovieMeasurements m, final Path folder) {
-		final var stdout = spec.commandLine().getOut();
-		stdout.printf(Locale.ROOT, "%d of %d frames measured; smoothing window %.3g %s.%n",
-			m.measured().size(), m.frames().size(), m.smoothing().window(), m.calibration().unit());
-		m.dominantFrequency(Quantity.TIP_ANGLE).ifPresentOrElse(
-			d -> stdout.printf(Locale.ROOT,
-				"Tip angle: %.3g ± %.1g %s, false-alarm probability %.2g%s.%n", d.frequency(),
-				d.standardError(), m.frequencyUnit(), d.falseAlarmProbability(),
-				d.isSignificant() ? "" : " (may be noise)"),
-			() -> stdout.println("Tip angle: too few frames for a frequency."));
-		stdout.println("Written to " + folder + ".");
+	private MeasureOptions options() {
+		final Map<String, String> texts = new HashMap<>();
+		texts.put("pixel_size", pixelSize);
+		texts.put("unit", unit);
+		texts.put("frame_interval", frameInterval);
+		texts.put("smoothing_window", window);
+		texts.put("smoothing_order", order);
+		texts.put("persistence_length", persistenceLength);
+		texts.put("rigidity", rigidity);
+		return MeasureOptions.parse(texts);
 	}
 }

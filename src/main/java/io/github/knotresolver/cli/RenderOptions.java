@@ -1,22 +1,14 @@
 package io.github.knotresolver.cli;
 
-import java.util.LinkedHashMap;
-import java.util.Locale;
-import java.util.Map;
-
-import io.github.knotresolver.io.OptionText;
-import io.github.knotresolver.simulate.BitDepth;
-import io.github.knotresolver.simulate.FrameRenderer;
-import io.github.knotresolver.simulate.OpticalRenderer;
+import io.github.knotresolver.imagej.Rendering;
 import io.github.knotresolver.simulate.Optics;
-import io.github.knotresolver.simulate.PaperRenderer;
 import picocli.CommandLine.Option;
 
 /** The options that decide the pictures of a simulated trajectory. */
 final class RenderOptions {
 
 	/** How a frame is drawn. */
-	enum Rendering {
+	enum Kind {
 		/** The published rendering. */
 		PAPER,
 		/** Microscope and camera. */
@@ -24,7 +16,7 @@ final class RenderOptions {
 	}
 
 	@Option(names = "--rendering", paramLabel = "KIND", defaultValue = "paper", description = "paper: the published one, or optical: microscope and camera [paper].")
-	private Rendering rendering;
+	private Kind rendering;
 
 	@Option(names = "--pixel-size", paramLabel = "L", defaultValue = "0.106", description = "In µm [0.106].")
 	private double pixelSize;
@@ -62,57 +54,17 @@ final class RenderOptions {
 	@Option(names = "--debris", paramLabel = "N", defaultValue = "0", description = "Specks that shine [0].")
 	private int debris;
 
-	double pixelSize() {
-		return pixelSize;
-	}
-
-	int margin() {
-		return margin;
-	}
-
-	BitDepth depth() {
-		return switch (bits) {
-			case 8 -> BitDepth.EIGHT;
-			case 16 -> BitDepth.SIXTEEN;
-			default ->
-				throw new IllegalArgumentException("--bits must be 8 or 16, but is " + bits + ".");
-		};
-	}
-
 	/**
-	 * @param seed start of the random numbers
-	 * @return what draws a frame
+	 * @return how to render
 	 * @throws IllegalArgumentException if an option is out of range
 	 */
-	FrameRenderer renderer(final long seed) {
-		return rendering == Rendering.PAPER
-			? new PaperRenderer(decibel(), seed)
-			: new OpticalRenderer(optics(), seed);
-	}
-
-	private double decibel() {
-		if (snr.strip().equalsIgnoreCase("inf"))
-			return Double.POSITIVE_INFINITY;
-		return OptionText.number("--snr", snr);
+	Rendering rendering() {
+		return new Rendering(rendering == Kind.OPTICAL, pixelSize, margin, bits, snr, optics());
 	}
 
 	private Optics optics() {
 		return new Optics(psfSigma, signal, background, readNoise,
 			bleachingTime == null ? Double.POSITIVE_INFINITY : bleachingTime, others, glide,
 			debris);
-	}
-
-	/** @return the options that had a say, for {@code parameters.json} */
-	Map<String, Object> settings() {
-		final Map<String, Object> json = new LinkedHashMap<>();
-		json.put("rendering", rendering.name().toLowerCase(Locale.ROOT));
-		json.put("pixel_size", pixelSize);
-		json.put("margin", margin);
-		json.put("bits", bits);
-		if (rendering == Rendering.PAPER)
-			json.put("snr", snr);
-		else
-			json.put("optics", optics());
-		return json;
 	}
 }

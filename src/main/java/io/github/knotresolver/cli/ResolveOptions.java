@@ -1,5 +1,11 @@
 package io.github.knotresolver.cli;
 
+import java.util.Map;
+import java.util.TreeMap;
+
+import io.github.knotresolver.io.RunOptions;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 
 /**
@@ -71,4 +77,18 @@ final class ResolveOptions {
 
 	@Option(names = "--threads", paramLabel = "N", description = "Threads; the result does not depend on them [all cores].")
 	private String threads;
+
+	/**
+	 * @param spec a subcommand with these options, parsed
+	 * @return the options that were given, by the keys that all front doors share
+	 */
+	static Map<String, String> given(final CommandSpec spec) {
+		final Map<String, String> texts = new TreeMap<>();
+		for (final OptionSpec option : spec.commandLine().getParseResult().matchedOptions()) {
+			final String key = option.longestName().substring(2).replace('-', '_');
+			if (RunOptions.KEYS.contains(key))
+				texts.put(key, String.valueOf(option.<Object>getValue()));
+		}
+		return texts;
+	}
 }

@@ -3,8 +3,6 @@ package io.github.knotresolver.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.Map;
-import java.util.TreeMap;
 import java.util.concurrent.Callable;
 
 import ij.ImagePlus;
@@ -22,7 +20,6 @@ import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
@@ -73,7 +70,7 @@ final class ResolveSubcommand implements Callable<Integer> {
 		final Movie input;
 		final io.github.knotresolver.pipeline.Parameters parameters;
 		try {
-			run = RunOptions.parse(texts());
+			run = RunOptions.parse(ResolveOptions.given(spec));
 			ResultFolder.check(out, force);
 			image = image();
 			input = ImageMovie.of(image, run.input());
@@ -95,16 +92,5 @@ final class ResolveSubcommand implements Callable<Integer> {
 				? "Either a movie or --sample, but not both."
 				: "Name a movie, or add --sample for the one that comes along.");
 		return sample ? SampleMovie.open() : ImageFile.open(movie);
-	}
-
-	/** The options that were given, by the keys that all front doors share. */
-	private Map<String, String> texts() {
-		final Map<String, String> texts = new TreeMap<>();
-		for (final OptionSpec option : spec.commandLine().getParseResult().matchedOptions()) {
-			final String key = option.longestName().substring(2).replace('-', '_');
-			if (RunOptions.KEYS.contains(key))
-				texts.put(key, String.valueOf(option.<Object>getValue()));
-		}
-		return texts;
 	}
 }

@@ -2,24 +2,12 @@ package io.github.knotresolver.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.concurrent.Callable;
 
-import io.github.knotresolver.geometry.Crossings;
-import io.github.knotresolver.imagej.MovieTiff;
-import io.github.knotresolver.io.ContoursCsv;
-import io.github.knotresolver.io.ParametersJson;
+import io.github.knotresolver.imagej.SimulationRun;
 import io.github.knotresolver.io.ResultFolder;
-import io.github.knotresolver.io.SimulationJson;
-import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.simulate.BitDepth;
-import io.github.knotresolver.simulate.Canvas;
-import io.github.knotresolver.simulate.FilamentSimulator;
-import io.github.knotresolver.simulate.FrameRenderer;
 import io.github.knotresolver.simulate.SimulatedMovie;
-import io.github.knotresolver.simulate.SimulationParameters;
-import io.github.knotresolver.simulate.Trajectory;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -30,9 +18,6 @@ import picocli.CommandLine.Spec;
 /** {@code knotresolver simulate}: a movie with known truth. */
 @Command(name = "simulate", mixinStandardHelpOptions = true, sortOptions = false, usageHelpAutoWidth = true, description = "Simulates a clamped filament over motors and writes a movie with its truth: movie.tif, contours.csv, parameters.json.%n")
 final class SimulateSubcommand implements Callable<Integer> {
-
-	/** The movie's name in the folder. */
-	static final String MOVIE = "movie.tif";
 
 	@Spec
 	private CommandSpec spec;
@@ -62,42 +47,16 @@ final class SimulateSubcommand implements Callable<Integer> {
 	}
 
 	private void simulate() throws IOException {
-		final SimulationParameters parameters;
-		final FrameRenderer renderer;
-		final BitDepth depth;
+		final SimulationRun run;
 		try {
-			parameters = simulation.parameters();
-			renderer = rendering.renderer(simulation.seed());
-			depth = rendering.depth();
-			Canvas.check(rendering.pixelSize(), rendering.margin());
+			run = new SimulationRun(simulation.parameters(), rendering.rendering());
 			ResultFolder.check(out, force);
 		} catch (final IllegalArgumentException e) {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
 		}
-		final Trajectory trajectory = new FilamentSimulator(parameters).run(progress);
-		final Canvas canvas = Canvas.around(trajectory, rendering.pixelSize(), rendering.margin());
-		final SimulatedMovie movie = SimulatedMovie.render(MOVIE, trajectory, canvas, renderer,
-			depth, progress);
-		write(movie, parameters);
-		report(movie);
-	}
-
-	private void write(final SimulatedMovie movie, final SimulationParameters parameters)
-		throws IOException {
-		try (ResultFolder folder = ResultFolder.prepare(out, force)) {
-			MovieTiff.write(movie.movie(), folder.path().resolve(MOVIE));
-			TruthCsv.write(folder.path().resolve(ContoursCsv.FILE), movie.truth());
-			SimulationJson.write(folder.path().resolve(ParametersJson.FILE), parameters,
-				rendering.settings());
-			folder.commit();
-		}
-	}
-
-	private void report(final SimulatedMovie movie) {
-		final long crossing = movie.truth().stream()
-			.filter(c -> !Crossings.of(c.resampled(1)).isEmpty()).count();
-		spec.commandLine().getOut().printf(Locale.ROOT,
-			"%d frames of %d x %d pixels, the filament crosses itself in %d of them.%nMovie and truth: %s%n",
-			movie.movie().size(), movie.movie().width(), movie.movie().height(), crossing, out);
+		final SimulatedMovie movie = run.run(progress);
+		run.write(movie, out, force);
+		spec.commandLine().getOut().println(SimulationRun.report(movie));
+		spec.commandLine().getOut().println("Movie and truth: " + out);
 	}
 }

@@ -3,16 +3,13 @@ package io.github.knotresolver.command;
 import java.awt.GraphicsEnvironment;
 import java.io.File;
 import java.io.IOException;
-import java.util.List;
+import java.util.Locale;
 import java.util.Map;
-import java.util.TreeMap;
+import java.util.Optional;
 
 import org.scijava.ItemIO;
 import org.scijava.ItemVisibility;
-import org.scijava.app.StatusService;
 import org.scijava.command.Command;
-import org.scijava.command.ContextCommand;
-import org.scijava.log.LogService;
 import org.scijava.plugin.Attr;
 import org.scijava.plugin.Parameter;
 import org.scijava.plugin.Plugin;
@@ -27,93 +24,93 @@ import io.github.knotresolver.imagej.ContourTables;
 import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageMovie;
+import io.github.knotresolver.imagej.Region;
 import io.github.knotresolver.imagej.ResultDisplay;
 import io.github.knotresolver.imagej.ResultWriter;
 import io.github.knotresolver.imagej.RoiConverter;
+import io.github.knotresolver.imagej.form.Form;
+import io.github.knotresolver.io.InputOptions;
 import io.github.knotresolver.io.MeasuredResolution;
+import io.github.knotresolver.io.ParametersJson;
 import io.github.knotresolver.io.ProgramVersion;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.io.RunReport;
 import io.github.knotresolver.pipeline.Parameters;
 import io.github.knotresolver.pipeline.Resolution;
-import io.github.knotresolver.progress.CancelledException;
+import io.github.knotresolver.progress.Progress;
 
 /**
  * {@code Resolve Filament...}: finds one ordered contour per frame in a movie
  * file or in the active image, whose pixels are never changed. A point selection
- * in the image is the fixed end. With a display, contours go to the ROI Manager,
- * the overlay and two tables; with {@code out}, a result folder is written.
+ * in the image is the fixed end, an area selection limits the search. Contours
+ * go to the image's overlay and, with a display, to the ROI Manager and two
+ * tables; with {@code out}, a result folder is written.
  * <p>
  * Input that cannot be used cancels the Command, with the sentence as the
  * reason, which is logged as well.
  */
 @Plugin(type = Command.class, label = "Resolve Filament...", attrs = @Attr(name = "no-legacy"))
-public class ResolveFilamentCommand extends ContextCommand {
+public class ResolveFilamentCommand extends KnotCommand {
 
-	@Parameter(required = false)
-	private LogService log;
-
-	@Parameter(required = false)
-	private StatusService status;
-
-	@Parameter(label = "Image", required = false, persist = false, visibility = ItemVisibility.INVISIBLE)
+	@Parameter(label = "Image", description = "The active one", required = false, persist = false, visibility = ItemVisibility.INVISIBLE)
 	private ImagePlus image;
 
-	@Parameter(label = "Movie file", description = "Empty for the active image", required = false, persist = false)
+	@Parameter(label = "Movie (file)", description = "Empty for the active image", required = false, persist = false)
 	private File movie;
 
-	@Parameter(label = "Fixed end (x,y in pixels)", description = "Empty to have it found", required = false, persist = false)
+	@Parameter(label = "Fixed end (x,y in pixels)", description = "Empty for the image's point selection or, without one, to have it found", required = false, persist = false)
 	private String fixed_end = "";
 
-	@Parameter(label = "Threshold (0..1 or otsu)", required = false, persist = false)
+	@Parameter(label = "Threshold (0..1 or otsu)", description = "Of the stretched intensities", required = false, persist = false)
 	private String threshold = "otsu";
 
-	@Parameter(label = "Iterations", min = "0", max = "1000", required = false, persist = false)
+	@Parameter(label = "Iterations", description = "Of the active contour", min = "0", max = "1000", required = false, persist = false)
 	private int iterations = 10;
 
-	@Parameter(label = "Contraction bias", min = "-1", max = "1", stepSize = "0.1", required = false, persist = false)
+	@Parameter(label = "Contraction bias", description = "Of the active contour; positive shrinks", min = "-1", max = "1", stepSize = "0.1", required = false, persist = false)
 	private double contraction_bias = 0.4;
 
-	@Parameter(label = "Smooth factor", min = "0", max = "10", stepSize = "0.1", required = false, persist = false)
+	@Parameter(label = "Smooth factor", description = "Of the mask's outline", min = "0", max = "10", stepSize = "0.1", required = false, persist = false)
 	private double smooth_factor = 0.2;
 
-	@Parameter(label = "LoG size (pixels, odd; 0 = off)", min = "0", max = "99", required = false, persist = false)
+	@Parameter(label = "LoG size (px, odd; 0: off)", description = "Edge of a Laplacian of Gaussian, for uneven background", min = "0", max = "99", required = false, persist = false)
 	private int log_size = 0;
 
-	@Parameter(label = "LoG sigma (pixels; 0 = off)", min = "0", max = "50", required = false, persist = false)
+	@Parameter(label = "LoG sigma (px; 0: off)", description = "Its standard deviation", min = "0", max = "50", required = false, persist = false)
 	private double log_sigma = 0;
 
-	@Parameter(label = "Candidates", choices = {"trails",
+	@Parameter(label = "Candidates", description = "How contours are proposed", choices = {"trails",
 		"paper"}, required = false, persist = false)
 	private String candidates = "trails";
 
-	@Parameter(label = "Resolver", choices = {"movie", "paper"}, required = false, persist = false)
+	@Parameter(label = "Resolver", description = "How one is chosen", choices = {"movie",
+		"paper"}, required = false, persist = false)
 	private String resolver = "movie";
 
-	@Parameter(label = "Known length (image's unit)", description = "Empty to estimate it", required = false, persist = false)
+	@Parameter(label = "Length (if known)", description = "Empty to estimate it", required = false, persist = false)
 	private String length = "";
 
-	@Parameter(label = "Length model", choices = {"constant",
-		"free"}, required = false, persist = false)
+	@Parameter(label = "Length model", description = "free for a filament that grows or shrinks", choices = {
+		"constant", "free"}, required = false, persist = false)
 	private String length_model = "constant";
 
-	@Parameter(label = "Refine", required = false, persist = false)
+	@Parameter(label = "Refine (sub-pixel)", description = "Fit the filament to the image", required = false, persist = false)
 	private boolean refine = true;
 
-	@Parameter(label = "Channel", min = "1", required = false, persist = false)
+	@Parameter(label = "Channel", description = "Of the filament", min = "1", required = false, persist = false)
 	private int channel = 1;
 
-	@Parameter(label = "Z slices are frames", required = false, persist = false)
+	@Parameter(label = "Z as time (slices are frames)", required = false, persist = false)
 	private boolean z_as_time = false;
 
-	@Parameter(label = "Frames (such as 1-40,45)", description = "Empty for all", required = false, persist = false)
+	@Parameter(label = "Frames (as 1-40,45)", description = "Empty for all", required = false, persist = false)
 	private String frames = "";
 
-	@Parameter(label = "Ignore frames", required = false, persist = false)
+	@Parameter(label = "Ignore frames", description = "Frames to leave out, likewise", required = false, persist = false)
 	private String ignore_frames = "";
 
-	@Parameter(label = "Corrections (CSV)", required = false, persist = false)
+	@Parameter(label = "Corrections (CSV)", description = "Contours that you drew: frame,index,x_px,y_px", required = false, persist = false)
 	private File corrections;
 
 	@Parameter(label = "Pixel size", description = "Empty for the image's", required = false, persist = false)
@@ -125,20 +122,26 @@ public class ResolveFilamentCommand extends ContextCommand {
 	@Parameter(label = "Unit", description = "Empty for the image's", required = false, persist = false)
 	private String unit = "";
 
-	@Parameter(label = "Threads (0 = all cores)", min = "0", required = false, persist = false)
+	@Parameter(label = "Threads (0: all cores)", description = "The result does not depend on them", min = "0", required = false, persist = false)
 	private int threads = 0;
 
-	@Parameter(label = "Result folder", description = "Empty to write no files", style = FileWidget.DIRECTORY_STYLE, required = false, persist = false)
+	@Parameter(label = "Out (result folder)", description = "Empty to write no files", style = FileWidget.DIRECTORY_STYLE, required = false, persist = false)
 	private File out;
 
-	@Parameter(label = "Plots in the folder", required = false, persist = false)
+	@Parameter(label = "Plots in the folder", description = "Written with the result", required = false, persist = false)
 	private boolean plots = true;
 
-	@Parameter(label = "Replace an existing result", required = false, persist = false)
+	@Parameter(label = "Force (replace a result)", required = false, persist = false)
 	private boolean force = false;
 
-	@Parameter(label = "Show ROIs, overlay and tables", required = false, persist = false)
-	private boolean show = true;
+	@Parameter(label = "Overlay", description = "Contours over the image, coloured along their length", required = false, persist = false)
+	private boolean overlay = true;
+
+	@Parameter(label = "ROI manager", description = "One polyline a frame, coloured by its confidence", required = false, persist = false)
+	private boolean roi_manager = true;
+
+	@Parameter(label = "Tables", description = "One row a point, one row a frame", required = false, persist = false)
+	private boolean tables = true;
 
 	@Parameter(type = ItemIO.OUTPUT)
 	private Resolution resolution;
@@ -151,34 +154,42 @@ public class ResolveFilamentCommand extends ContextCommand {
 	}
 
 	@Override
-	public void run() {
-		try (CommandProgress progress = new CommandProgress(status, this::isCanceled)) {
-			resolve(progress);
-		} catch (final CancelledException e) {
-			cancel("Cancelled; nothing was written.");
-		} catch (final IllegalArgumentException e) {
-			refuse(e.getMessage());
-		} catch (final IOException e) {
-			refuse("The result could not be written: " + e.getMessage() + ".");
-		}
+	boolean askForMissing() {
+		if (movie != null)
+			return true;
+		final ImagePlus input = image != null ? image : WindowManager.getCurrentImage();
+		if (input == null)
+			return true;
+		final MovieQuestions questions = new MovieQuestions(input);
+		final Optional<Boolean> along = questions.isTimeAlongZ(z_as_time);
+		along.ifPresent(yes -> z_as_time = yes);
+		if (along.isEmpty())
+			return false;
+		final Form form = Form.of(this);
+		final Optional<Map<String, String>> units = questions.calibration(form.texts());
+		units.ifPresent(form::fill);
+		return units.isPresent();
 	}
 
-	private void resolve(final CommandProgress progress) throws IOException {
+	@Override
+	void work(final Progress progress) throws IOException {
+		final long start = System.nanoTime();
 		if (out != null)
 			ResultFolder.check(out.toPath(), force);
 		final ImagePlus input = input();
 		final RunOptions options = RunOptions.parse(texts(input));
 		final Movie series = ImageMovie.of(input, options.input());
 		final Parameters parameters = options.parameters(series);
+		final Engine part = Region.selected(input).map(engine::within).orElse(engine);
 		final MeasuredResolution result = MeasuredResolution
-			.of(engine.resolve(series, parameters, progress), progress);
+			.of(part.resolve(series, parameters, progress), progress);
 		if (out != null)
 			new ResultWriter(result, options.input(), input).write(out.toPath(), force, plots,
 				progress);
-		if (show && !GraphicsEnvironment.isHeadless())
-			show(input, result);
+		progress.checkCancelled();
+		show(input, result);
 		resolution = result.resolution();
-		report(RunReport.lines(result));
+		report(result, options.input(), System.nanoTime() - start);
 	}
 
 	private ImagePlus input() {
@@ -193,52 +204,37 @@ public class ResolveFilamentCommand extends ContextCommand {
 
 	/** All options as text, by the keys that all front doors share. */
 	private Map<String, String> texts(final ImagePlus input) {
-		final Map<String, String> texts = new TreeMap<>();
-		final boolean found = fixed_end == null || fixed_end.isBlank();
-		texts.put("fixed_end",
-			found ? RoiConverter.point(input.getRoi()).map(Point::toString).orElse("") : fixed_end);
-		texts.put("threshold", threshold);
-		texts.put("iterations", Integer.toString(iterations));
-		texts.put("contraction_bias", Double.toString(contraction_bias));
-		texts.put("smooth_factor", Double.toString(smooth_factor));
-		texts.put("log_size", Integer.toString(log_size));
-		texts.put("log_sigma", Double.toString(log_sigma));
-		texts.put("candidates", candidates);
-		texts.put("resolver", resolver);
-		texts.put("length", length);
-		texts.put("length_model", length_model);
-		texts.put("refine", Boolean.toString(refine));
-		texts.put("channel", Integer.toString(channel));
-		texts.put("z_as_time", Boolean.toString(z_as_time));
-		texts.put("frames", frames);
-		texts.put("ignore_frames", ignore_frames);
-		texts.put("corrections", corrections == null ? "" : corrections.getPath());
-		texts.put("pixel_size", pixel_size);
-		texts.put("frame_interval", frame_interval);
-		texts.put("unit", unit);
-		texts.put("threads", threads == 0 ? "" : Integer.toString(threads));
+		final Map<String, String> texts = Form.of(this).texts();
+		texts.keySet().retainAll(RunOptions.KEYS);
+		if (texts.get("fixed_end").isBlank())
+			texts.put("fixed_end",
+				RoiConverter.point(input.getRoi()).map(Point::toString).orElse(""));
+		if (threads == 0)
+			texts.remove("threads");
 		return texts;
 	}
 
+	/** An image that was hidden stays hidden; one that was opened here is shown. */
 	private void show(final ImagePlus input, final MeasuredResolution result) {
-		if (input.getWindow() == null)
-			input.show();
 		final ResultDisplay display = new ResultDisplay(input, result.resolution(), channel);
-		display.fill(RoiManager.getRoiManager());
-		display.overlay();
-		new ContourTables(input.getTitle(), result).show();
-	}
-
-	private void report(final List<String> lines) {
-		if (log == null)
+		if (overlay)
+			display.overlay();
+		if (GraphicsEnvironment.isHeadless())
 			return;
-		log.info(ProgramVersion.NAME + " " + ProgramVersion.get());
-		lines.forEach(log::info);
+		if (movie != null)
+			input.show();
+		if (roi_manager)
+			display.fill(RoiManager.getRoiManager());
+		if (tables)
+			new ContourTables(input.getTitle(), result).show();
 	}
 
-	private void refuse(final String sentence) {
-		if (log != null)
-			log.error(sentence);
-		cancel(sentence);
+	private void report(final MeasuredResolution result, final InputOptions input,
+		final long nanos) {
+		say(ProgramVersion.NAME + " " + ProgramVersion.get() + ": "
+			+ ParametersJson.line(result.resolution(), input));
+		RunReport.lines(result).forEach(this::say);
+		RunReport.reasons(result).forEach(this::say);
+		say(String.format(Locale.ROOT, "Time: %.1f s.", nanos / 1e9));
 	}
 }

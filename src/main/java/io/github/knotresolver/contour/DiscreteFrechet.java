@@ -17,6 +17,7 @@ public final class DiscreteFrechet {
 	/**
 	 * The discrete Frechet distance. The direction of the curves counts.
 	 *
+	 * @implNote op names="knotresolver.frechetDistance"
 	 * @param a a curve
 	 * @param b another
 	 * @return the length of the leash in pixels

@@ -19,6 +19,7 @@ public final class DynamicTimeWarping {
 	 * The least sum of point distances over all monotonic alignments that start
 	 * at both first and end at both last points.
 	 *
+	 * @implNote op names="knotresolver.dynamicTimeWarping"
 	 * @param a a curve
 	 * @param b another
 	 * @return D of the last points, in pixels; it grows with the number of points

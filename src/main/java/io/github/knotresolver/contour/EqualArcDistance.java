@@ -18,6 +18,7 @@ public final class EqualArcDistance {
 	 * Mean distance of the points at equal arc length from the first points, over
 	 * the length of the shorter curve, sampled at (nearly) one pixel. O(n).
 	 *
+	 * @implNote op names="knotresolver.equalArcDistance"
 	 * @param a a curve
 	 * @param b another
 	 * @return the mean distance in pixels

@@ -23,6 +23,7 @@ public final class ContrastStretch {
 	 * constant frame becomes all 0, and so does a pixel without a value (NaN).
 	 * O(n log n) for n pixels.
 	 *
+	 * @implNote op names="knotresolver.stretch"
 	 * @param frame any two-dimensional image
 	 * @param lowPercent how many percent of the pixels become 0, 0..100
 	 * @param highPercent how many percent of the pixels become 1, 0..100; the sum

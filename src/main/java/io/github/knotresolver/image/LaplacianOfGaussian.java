@@ -22,6 +22,7 @@ public final class LaplacianOfGaussian {
 	 * <p>
 	 * Marr and Hildreth 1980, doi:10.1098/rspb.1980.0020.
 	 *
+	 * @implNote op names="knotresolver.laplacianOfGaussian"
 	 * @param frame a two-dimensional image
 	 * @param size edge of the kernel in pixels, odd, 3..99
 	 * @param sigma standard deviation of the Gaussian in pixels, above 0, at most

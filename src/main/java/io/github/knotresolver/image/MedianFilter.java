@@ -19,6 +19,7 @@ public final class MedianFilter {
 	 * outermost pixels are repeated; pixels without a value (NaN) count as the
 	 * lowest of the frame. O(n) for n pixels.
 	 *
+	 * @implNote op names="knotresolver.median"
 	 * @param frame a two-dimensional image
 	 * @return a new image of the same size
 	 */

@@ -25,4 +25,13 @@ public interface Engine {
 	 *           asked to stop
 	 */
 	Resolution resolve(Movie movie, Parameters parameters, Progress progress);
+
+	/**
+	 * @param region where to search
+	 * @return this engine, searching only there; its results are in the whole
+	 *         movie's pixels
+	 */
+	default Engine within(final Region region) {
+		return new RegionEngine(this, region);
+	}
 }

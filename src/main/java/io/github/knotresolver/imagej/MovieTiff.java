@@ -44,8 +44,11 @@ public final class MovieTiff {
 		}
 	}
 
-	/** The movie as an image of ImageJ, time along the third axis. */
-	static ImagePlus image(final Movie movie) {
+	/**
+	 * @param movie an 8 or 16 bit movie
+	 * @return the movie as an image of ImageJ, time along the third axis
+	 */
+	public static ImagePlus image(final Movie movie) {
 		final boolean isByte = movie.frames().getType() instanceof UnsignedByteType;
 		final ImageStack stack = new ImageStack(movie.width(), movie.height());
 		for (int t = 0; t < movie.size(); t++)

@@ -48,4 +48,14 @@ final class Palette {
 			case IGNORED -> new Color(0x80, 0x80, 0x80);
 		};
 	}
+
+	/**
+	 * @param confidence 0..1
+	 * @return green where it is sure, yellow where it may be, orange where it is not
+	 */
+	static Color ofConfidence(final double confidence) {
+		if (confidence >= 0.9)
+			return new Color(0x00, 0x9e, 0x73);
+		return confidence >= 0.5 ? new Color(0xf0, 0xe4, 0x42) : new Color(0xe6, 0x9f, 0x00);
+	}
 }

@@ -3,6 +3,7 @@ package io.github.knotresolver.imagej;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 import ij.ImagePlus;
 import ij.gui.Overlay;
@@ -18,6 +19,8 @@ public final class ResultDisplay {
 	/** Pieces of one colour along a contour. */
 	private static final int PIECES = 16;
 	private static final int LINKS = 8;
+	/** Which image a ROI in the manager belongs to. */
+	private static final String OF_IMAGE = "knotresolver.image";
 
 	private final ImagePlus image;
 	private final Resolution resolution;
@@ -35,12 +38,31 @@ public final class ResultDisplay {
 	}
 
 	/**
-	 * Adds one polyline a frame, each at its frame's position.
+	 * Adds one polyline a frame, each at its frame's position and coloured by its
+	 * confidence, in place of those of an earlier run on the same image.
 	 *
 	 * @param manager the ROI Manager
 	 */
 	public void fill(final RoiManager manager) {
-		converter.rois(resolution).forEach(manager::addRoi);
+		removeEarlier(manager);
+		for (final TrackedFrame frame : resolution.frames()) {
+			if (frame.contour().isEmpty())
+				continue;
+			final Roi roi = converter.roi(frame.contour().get(), frame.frame());
+			roi.setStrokeColor(Palette.ofConfidence(frame.confidence()));
+			roi.setProperty(OF_IMAGE, image.getTitle());
+			manager.addRoi(roi);
+		}
+	}
+
+	private void removeEarlier(final RoiManager manager) {
+		final int[] earlier = IntStream.range(0, manager.getCount())
+			.filter(i -> image.getTitle().equals(manager.getRoi(i).getProperty(OF_IMAGE)))
+			.toArray();
+		if (earlier.length == 0)
+			return;
+		manager.setSelectedIndexes(earlier);
+		manager.runCommand("Delete");
 	}
 
 	/**

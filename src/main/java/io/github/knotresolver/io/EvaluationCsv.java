@@ -2,6 +2,7 @@
 package io.github.knotresolver.io;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 
 import org.apache.commons.csv.CSVPrinter;
@@ -37,6 +38,19 @@ public final class EvaluationCsv {
 					number(s.error()), number(s.miss()), number(s.lengthError()));
 			}
 		}
+	}
+
+	/**
+	 * @param out where the scores are to go
+	 * @throws IllegalArgumentException if they cannot be written there, in one
+	 *           sentence
+	 */
+	public static void requireWritable(final Path out) {
+		final Path folder = out.toAbsolutePath().normalize().getParent();
+		if (folder == null || Files.isDirectory(out) || !Files.isDirectory(folder)
+			|| !Files.isWritable(Files.exists(out) ? out : folder))
+			throw new IllegalArgumentException(
+				"The scores cannot be written to " + out + "; choose a file in a writable folder.");
 	}
 
 	private static String number(final double value) {

@@ -128,7 +128,13 @@ public final class OptionText {
 		return new Point(Double.parseDouble(parts[0]), Double.parseDouble(parts[1]));
 	}
 
-	private static IllegalArgumentException refusal(final String key, final String expected,
+	/**
+	 * @param key the option's name
+	 * @param expected what it must be
+	 * @param text what was typed
+	 * @return the refusal: one sentence that names all three
+	 */
+	public static IllegalArgumentException refusal(final String key, final String expected,
 		final String text) {
 		return new IllegalArgumentException(
 			key + " must be " + expected + ", but is '" + text.strip() + "'.");

@@ -170,7 +170,11 @@ public final class ResultFolder implements AutoCloseable {
 		}
 	}
 
-	private static boolean isResult(final Path folder) {
+	/**
+	 * @param folder a folder, present or not
+	 * @return whether it holds a finished result
+	 */
+	public static boolean isResult(final Path folder) {
 		return ParametersJson.isOurs(folder.resolve(ParametersJson.FILE));
 	}
 }

@@ -1,12 +1,15 @@
 package io.github.knotresolver.io;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.SortedSet;
 import java.util.TreeSet;
 
 import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.track.FrameStatus;
+import io.github.knotresolver.track.TrackedFrame;
 
 /** A result in a few lines, for people. */
 public final class RunReport {
@@ -37,6 +40,22 @@ public final class RunReport {
 					+ " (frames.csv says why).");
 		}
 		lines.addAll(resolution.notes());
+		return lines;
+	}
+
+	/**
+	 * @param result a measured result
+	 * @return why frames have no contour, one line for each reason; none for frames
+	 *         that were left out as asked
+	 */
+	public static List<String> reasons(final MeasuredResolution result) {
+		final Map<String, SortedSet<Integer>> frames = new LinkedHashMap<>();
+		for (final TrackedFrame frame : result.resolution().frames())
+			if (frame.status() == FrameStatus.UNRESOLVED || frame.status() == FrameStatus.LOST)
+				frames.computeIfAbsent(frame.reason(), r -> new TreeSet<>()).add(frame.frame());
+		final List<String> lines = new ArrayList<>();
+		frames.forEach((reason, some) -> lines.add((some.size() == 1 ? "Frame " : "Frames ")
+			+ FrameSelection.format(some) + ": " + reason));
 		return lines;
 	}
 }

@@ -44,6 +44,7 @@ public final class ChanVese {
 	 * Chan and Vese 2001, doi:10.1109/83.902291; the band is Whitaker's sparse
 	 * field, 1998, doi:10.1023/A:1008036829907.
 	 *
+	 * @implNote op names="knotresolver.chanVese"
 	 * @param frame a clean frame
 	 * @param seed the mask to start from, of the same size
 	 * @param iterations how often the front is moved, at least 0

@@ -28,6 +28,9 @@ public final class FixedThreshold implements Thresholder {
 	}
 
 	/**
+	 * Marks the pixels that are brighter than a level.
+	 *
+	 * @implNote op names="knotresolver.threshold"
 	 * @param frame a frame
 	 * @param level an intensity
 	 * @return a new mask of the same size: the pixels above it; a pixel without a

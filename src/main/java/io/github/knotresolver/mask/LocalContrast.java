@@ -30,10 +30,10 @@ public final class LocalContrast {
 	 * Tannenbaum 2008, doi:10.1109/TIP.2008.2004611. By summed-area tables, O(n)
 	 * for any radius.
 	 *
+	 * @implNote op names="knotresolver.localContrast"
 	 * @param frame a clean frame
-	 * @param mask a first mask of the same size, for instance Otsu's
-	 * @param radius half the edge of the window in pixels, at least 1; about the
-	 *          filament's width
+	 * @param mask a first mask of the same size, such as that of Otsu
+	 * @param radius half the edge of the window in pixels, at least 1
 	 * @return a new image of the same size, 0..1
 	 */
 	public static Img<FloatType> normalize(final RandomAccessibleInterval<FloatType> frame,

@@ -14,9 +14,12 @@ public final class MaskRepair {
 	}
 
 	/**
+	 * Fills small 4-connected holes. The loop of a filament may be small, so the
+	 * size should be, too.
+	 *
+	 * @implNote op names="knotresolver.fillPinHoles"
 	 * @param mask any mask
-	 * @param pixels size up to which 4-connected holes are filled; a filament's
-	 *          loop may be small, so this should be, too
+	 * @param pixels size up to which holes are filled
 	 * @return a new mask without pin holes
 	 */
 	public static Img<BitType> fillPinHoles(final RandomAccessibleInterval<BitType> mask,
@@ -33,6 +36,9 @@ public final class MaskRepair {
 	}
 
 	/**
+	 * Removes small 8-connected objects.
+	 *
+	 * @implNote op names="knotresolver.removeSpecks"
 	 * @param mask any mask
 	 * @param pixels size below which 8-connected objects go
 	 * @return a new mask without specks
@@ -43,6 +49,9 @@ public final class MaskRepair {
 	}
 
 	/**
+	 * Removes objects that touch the border.
+	 *
+	 * @implNote op names="knotresolver.dropBorderObjects"
 	 * @param mask any mask
 	 * @return a new mask without the objects that touch the border of the frame
 	 */

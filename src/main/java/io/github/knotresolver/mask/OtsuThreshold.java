@@ -22,6 +22,7 @@ public final class OtsuThreshold {
 	 * <p>
 	 * Otsu 1979, doi:10.1109/TSMC.1979.4310076.
 	 *
+	 * @implNote op names="knotresolver.otsu"
 	 * @param frame a frame, 0..1
 	 * @return the threshold, 0..1; 1 if all pixels are alike, so that none is
 	 *         above it

@@ -16,6 +16,7 @@ public final class BranchPixels {
 	 * over its 3x3 neighbourhood, itself included, is at least 4. Around one
 	 * crossing there may be several. Beyond the border there is nothing. O(n).
 	 *
+	 * @implNote op names="knotresolver.branchPixels"
 	 * @param skeleton lines one pixel wide
 	 * @return a new mask of the same size: the branch pixels
 	 */

@@ -15,6 +15,7 @@ public final class EndPixels {
 	 * A pixel of the skeleton is an end if exactly one of its eight neighbours is
 	 * in the skeleton as well. Beyond the border there is nothing. O(n).
 	 *
+	 * @implNote op names="knotresolver.endPixels"
 	 * @param skeleton lines one pixel wide
 	 * @return a new mask of the same size: the end pixels
 	 */

@@ -33,6 +33,7 @@ public final class Skeletonize {
 	 * The two-dimensional case of Lee, Kashyap and Chu 1994,
 	 * doi:10.1006/cgip.1994.1042.
 	 *
+	 * @implNote op names="knotresolver.skeletonize"
 	 * @param mask any number of objects, which may touch the border
 	 * @return a new mask of the same size: the lines
 	 */

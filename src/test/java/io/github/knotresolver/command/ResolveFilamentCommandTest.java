@@ -28,9 +28,12 @@ import org.scijava.module.ModuleItem;
 import org.scijava.module.ModuleService;
 
 import ij.ImagePlus;
+import ij.WindowManager;
 import ij.gui.PointRoi;
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.imagej.SampleMovie;
 import io.github.knotresolver.imagej.TestImages;
+import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.CancelledException;
@@ -90,7 +93,44 @@ class ResolveFilamentCommandTest {
 		assertEquals(Optional.of(new Point(12, 30)), resolution.parameters().fixedEnd());
 		assertEquals("µm", resolution.movie().calibration().unit());
 		assertTrue(Arrays.equals(before, (byte[]) image.getStack().getPixels(2)));
+		assertEquals(3 * 16, image.getOverlay().size());
+	}
+
+	@Test
+	void overlayCanBeLeftOut() throws Exception {
+		final ImagePlus image = TestImages.movie(4, 8);
+		run(Map.of("image", image, "overlay", false));
 		assertNull(image.getOverlay());
+	}
+
+	@Test
+	void areaSelectionLimitsTheSearchAndContoursStayInTheWholeImage() throws Exception {
+		final ImagePlus image = TestImages.movie(4, 8);
+		image.setRoi(5, 2, 60, 50);
+		final int[] size = new int[2];
+		final Module module = run(Map.of("image", image, "fixed_end", "12,30"),
+			(movie, parameters, progress) -> {
+				size[0] = movie.width();
+				size[1] = movie.height();
+				assertEquals(new Point(7, 28), parameters.fixedEnd().get());
+				return TestImages.resolve(movie, parameters, progress);
+			});
+		assertEquals(60, size[0]);
+		assertEquals(50, size[1]);
+		final Resolution resolution = (Resolution) module.getOutput("resolution");
+		assertEquals(TestImages.WIDTH, resolution.movie().width());
+		final Point first = resolution.frames().get(0).contour().get().first();
+		assertEquals(new Point(12 + 5, 30 + 2), first);
+		assertTrue(resolution.notes().get(1).contains("x=5 y=2 width=60 height=50"));
+	}
+
+	@Test
+	void selectionTooSmallForAFilamentIsRefused() throws Exception {
+		final ImagePlus image = TestImages.movie(4, 8);
+		image.setRoi(5, 2, 3, 50);
+		assertRefused("too small for a filament", Map.of("image", image));
+		image.setRoi(40, 2, 30, 50);
+		assertRefused("lies outside the selection", Map.of("image", image, "fixed_end", "12,30"));
 	}
 
 	@Test
@@ -106,9 +146,9 @@ class ResolveFilamentCommandTest {
 		final ImagePlus image = TestImages.movie(4, 8);
 		assertRefused("threshold must be a number from 0 to 1",
 			Map.of("image", image, "threshold", "1.5"));
-		assertRefused("candidates must be paper or trails",
+		assertRefused("candidates must be trails or paper",
 			Map.of("image", image, "candidates", "all"));
-		assertRefused("iterations must be from 0 to 1000",
+		assertRefused("iterations must be a whole number from 0 to 1000",
 			Map.of("image", image, "iterations", 5000));
 		assertRefused("There is no image open", Map.of());
 		assertRefused("There is no file", Map.of("movie", home.resolve("absent.tif").toFile()));
@@ -116,6 +156,42 @@ class ResolveFilamentCommandTest {
 			Map.of("image", image, "out",
 				Files.writeString(Files.createDirectory(home.resolve("mine")).resolve("a.txt"), "x")
 					.getParent().toFile()));
+	}
+
+	@Test
+	void repeatedRunsLeaveNoThreadsNoImagesAndNoMemoryBehind() {
+		final ImagePlus sample = SampleMovie.open();
+		long settled = 0;
+		for (int i = 0; i < 20; i++) {
+			final ResolveFilamentCommand command = new ResolveFilamentCommand();
+			Form.of(command).fill(Map.of("frames", "1-2"));
+			WindowManager.setTempCurrentImage(sample);
+			command.run();
+			assertFalse(command.isCanceled(), command.getCancelReason());
+			if (i == 5)
+				settled = usedMemory();
+		}
+		WindowManager.setTempCurrentImage(null);
+		assertTrue(usedMemory() - settled < 4_000_000, "Memory grows from run to run.");
+		assertEquals(0, WindowManager.getImageCount());
+		assertTrue(Thread.getAllStackTraces().keySet().stream().noneMatch(
+			t -> t.getName().contains("KnotResolver") && lives(t)), "A worker is still there.");
+	}
+
+	/** Threads that were told to stop may need a moment. */
+	private static boolean lives(final Thread thread) {
+		try {
+			thread.join(5000);
+		} catch (final InterruptedException e) {
+			Thread.currentThread().interrupt();
+		}
+		return thread.isAlive();
+	}
+
+	private static long usedMemory() {
+		for (int i = 0; i < 3; i++)
+			System.gc();
+		return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();
 	}
 
 	@Test

@@ -1,0 +1,1 @@
+run("Knotted Filament");

@@ -1,0 +1,77 @@
+package io.github.knotresolver.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+
+import io.github.knotresolver.imagej.Batch;
+import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.io.BatchOutcome;
+import io.github.knotresolver.io.BatchOutcome.Status;
+import io.github.knotresolver.io.BatchSheet;
+import io.github.knotresolver.io.MovieFolder;
+import io.github.knotresolver.io.RunOptions;
+import io.github.knotresolver.progress.Progress;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code knotresolver batch}: many movies, from a sheet or a folder. */
+@Command(name = "batch", mixinStandardHelpOptions = true, sortOptions = false, abbreviateSynopsis = true, usageHelpAutoWidth = true, description = "Resolves the movies of a sheet or a folder, each into its own result folder. Finished ones are skipped; one that fails is reported and the rest go on.%n")
+final class BatchSubcommand implements Callable<Integer> {
+
+	@Spec
+	private CommandSpec spec;
+
+	@Parameters(paramLabel = "SHEET", description = "CSV with the columns FileName and FolderPath and any of the options below, or a folder of movies.")
+	private Path input;
+
+	@Option(names = "--out", required = true, paramLabel = "DIR", description = "Folder of the result folders; made if absent.")
+	private Path out;
+
+	@Option(names = "--force", description = "Do finished rows again.")
+	private boolean force;
+
+	@Option(names = "--plots", negatable = true, defaultValue = "true", fallbackValue = "true", description = "Write plots and projections as PNG, or not [on].")
+	private boolean plots;
+
+	@Mixin
+	private ResolveOptions options;
+
+	private final Engine engine;
+	private final Progress progress;
+
+	BatchSubcommand(final Engine engine, final Progress progress) {
+		this.engine = engine;
+		this.progress = progress;
+	}
+
+	@Override
+	public Integer call() throws IOException {
+		final PrintWriter stdout = spec.commandLine().getOut();
+		final PrintWriter stderr = spec.commandLine().getErr();
+		final List<BatchOutcome> outcomes;
+		try {
+			final var texts = ResolveOptions.given(spec);
+			RunOptions.parse(texts);
+			final BatchSheet sheet = MovieFolder.read(input);
+			if (!sheet.unknownColumns().isEmpty())
+				stderr.println("Columns that mean nothing here: "
+					+ String.join(", ", sheet.unknownColumns()) + ".");
+			outcomes = new Batch(engine, texts, force, plots).run(sheet.rows(), out,
+				o -> (o.status() == Status.FAILED ? stderr : stdout).println(o.line()), progress);
+		} catch (final IllegalArgumentException e) {
+			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+		}
+		final long failed = outcomes.stream().filter(o -> o.status() == Status.FAILED).count();
+		stdout.println((outcomes.size() - failed) + " of " + outcomes.size()
+			+ " movies have a result. List: " + out.resolve(BatchOutcome.FILE));
+		return failed == 0 ? ExitStatus.FINISHED : ExitStatus.FAILED;
+	}
+}

@@ -1,0 +1,73 @@
+package io.github.knotresolver.command;
+
+import java.io.File;
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+
+import org.scijava.command.Command;
+import org.scijava.plugin.Attr;
+import org.scijava.plugin.Parameter;
+import org.scijava.plugin.Plugin;
+import org.scijava.widget.FileWidget;
+
+import io.github.knotresolver.imagej.Batch;
+import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.imagej.form.MacroOptions;
+import io.github.knotresolver.io.BatchOutcome;
+import io.github.knotresolver.io.BatchOutcome.Status;
+import io.github.knotresolver.io.BatchSheet;
+import io.github.knotresolver.io.MovieFolder;
+import io.github.knotresolver.io.RunOptions;
+import io.github.knotresolver.progress.Progress;
+
+/**
+ * {@code Batch...}: many movies, each into its own result folder. Finished ones
+ * are skipped; one that fails is reported, and the rest go on.
+ */
+@Plugin(type = Command.class, label = "Batch...", attrs = @Attr(name = "no-legacy"))
+public class BatchCommand extends KnotCommand {
+
+	@Parameter(label = "Input (sheet or folder)", description = "A CSV with the columns FileName and FolderPath, or a folder of movies", required = false, persist = false)
+	private File input;
+
+	@Parameter(label = "Out (folder)", description = "Gets a result folder for every movie, and batch.csv", style = FileWidget.DIRECTORY_STYLE, required = false, persist = false)
+	private File out;
+
+	@Parameter(label = "Options", description = "For all movies, as Resolve Filament has them: threshold=0.4 channel=2", required = false, persist = false)
+	private String options = "";
+
+	@Parameter(label = "Plots in the folders", required = false, persist = false)
+	private boolean plots = true;
+
+	@Parameter(label = "Force (do finished movies again)", required = false, persist = false)
+	private boolean force = false;
+
+	private Engine engine = Engine.PIPELINE;
+
+	/** @param other what resolves movies instead of the pipeline */
+	void setEngine(final Engine other) {
+		engine = other;
+	}
+
+	@Override
+	void work(final Progress progress) throws IOException {
+		if (input == null || out == null)
+			throw new IllegalArgumentException((input == null ? "input" : "out")
+				+ " is missing; name a sheet or a folder of movies as input, and a folder for the results as out.");
+		final Map<String, String> texts = new TreeMap<>();
+		MacroOptions.parse(options == null ? "" : options, name -> null).values()
+			.forEach((key, value) -> texts.put(key, value.orElse("true")));
+		RunOptions.parse(texts);
+		final BatchSheet sheet = MovieFolder.read(input.toPath());
+		if (!sheet.unknownColumns().isEmpty())
+			say("Columns that mean nothing here: " + String.join(", ", sheet.unknownColumns())
+				+ ".");
+		final List<BatchOutcome> outcomes = new Batch(engine, texts, force, plots).run(sheet.rows(),
+			out.toPath(), o -> say(o.line()), progress);
+		final long failed = outcomes.stream().filter(o -> o.status() == Status.FAILED).count();
+		say((outcomes.size() - failed) + " of " + outcomes.size() + " movies have a result. List: "
+			+ new File(out, BatchOutcome.FILE));
+	}
+}

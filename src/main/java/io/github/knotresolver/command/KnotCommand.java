@@ -1,0 +1,77 @@
+package io.github.knotresolver.command;
+
+import java.io.IOException;
+
+import org.scijava.app.StatusService;
+import org.scijava.command.ContextCommand;
+import org.scijava.log.LogService;
+import org.scijava.plugin.Parameter;
+
+import ij.IJ;
+import io.github.knotresolver.imagej.form.Form;
+import io.github.knotresolver.progress.CancelledException;
+import io.github.knotresolver.progress.Progress;
+
+/**
+ * What all Commands share: values are checked, progress is shown, and input
+ * that cannot be used cancels the Command with one sentence as the reason.
+ * They run with or without a SciJava context.
+ */
+abstract class KnotCommand extends ContextCommand {
+
+	@Parameter(required = false)
+	private LogService log;
+
+	@Parameter(required = false)
+	private StatusService status;
+
+	@Override
+	public final void run() {
+		try (CommandProgress progress = new CommandProgress(status, this::isCanceled)) {
+			Form.of(this).check();
+			work(progress);
+		} catch (final CancelledException e) {
+			cancel("Cancelled; nothing was written.");
+		} catch (final IllegalArgumentException e) {
+			refuse(e.getMessage());
+		} catch (final IOException e) {
+			refuse("The result could not be written: " + e.getMessage() + ".");
+		} catch (final OutOfMemoryError e) {
+			refuse(
+				"There is not enough memory for this movie; give ImageJ more with Edit > Options > Memory & Threads.");
+		}
+	}
+
+	/**
+	 * Does the work.
+	 *
+	 * @throws IllegalArgumentException if the input cannot be used, in one sentence
+	 * @throws CancelledException if the user asked to stop
+	 * @throws IOException if the disk says no
+	 */
+	abstract void work(Progress progress) throws IOException;
+
+	/**
+	 * Asks a person for what only the input shows to be missing. Never called in
+	 * macros, nor without a display.
+	 *
+	 * @return whether to go on
+	 */
+	boolean askForMissing() {
+		return true;
+	}
+
+	/** Writes a line to the log. */
+	final void say(final String line) {
+		if (log != null)
+			log.info(line);
+		else
+			IJ.log(line);
+	}
+
+	private void refuse(final String sentence) {
+		if (log != null)
+			log.error(sentence);
+		cancel(sentence);
+	}
+}

@@ -1,0 +1,108 @@
+package io.github.knotresolver.command;
+
+import java.awt.GraphicsEnvironment;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Map;
+
+import org.scijava.command.Command;
+import org.scijava.plugin.Attr;
+import org.scijava.plugin.Parameter;
+import org.scijava.plugin.Plugin;
+import org.scijava.widget.FileWidget;
+
+import ij.WindowManager;
+import ij.plugin.frame.RoiManager;
+import io.github.knotresolver.imagej.RoiContours;
+import io.github.knotresolver.imagej.form.Form;
+import io.github.knotresolver.imagej.plot.Figures;
+import io.github.knotresolver.imagej.plot.LivePlots;
+import io.github.knotresolver.imagej.plot.MeasurementFolder;
+import io.github.knotresolver.io.ContourInput;
+import io.github.knotresolver.io.MeasureOptions;
+import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.measure.MovieMeasurements;
+import io.github.knotresolver.measure.Quantity;
+import io.github.knotresolver.progress.Progress;
+
+/**
+ * {@code Measure Contours...}: lengths, angles, curvature, oscillations and
+ * waves of the contours of a result folder, of a file, or of the ROI Manager.
+ */
+@Plugin(type = Command.class, label = "Measure Contours...", attrs = @Attr(name = "no-legacy"))
+public class MeasureContoursCommand extends KnotCommand {
+
+	@Parameter(label = "Result (folder or CSV)", description = "A result folder, a contours.csv or the original tool's MTdata.csv; empty for the polylines in the ROI Manager", required = false, persist = false)
+	private File result;
+
+	@Parameter(label = "Pixel size", description = "Empty for the result's or the active image's", required = false, persist = false)
+	private String pixel_size = "";
+
+	@Parameter(label = "Unit", description = "Of the pixel size, likewise", required = false, persist = false)
+	private String unit = "";
+
+	@Parameter(label = "Frame interval (s)", description = "Likewise", required = false, persist = false)
+	private String frame_interval = "";
+
+	@Parameter(label = "Smoothing window", description = "Along the contour, in the unit of length; empty to derive it from the data", required = false, persist = false)
+	private String smoothing_window = "";
+
+	@Parameter(label = "Smoothing order", description = "Degree of the smoothing's polynomial", min = "2", max = "5", required = false, persist = false)
+	private int smoothing_order = 3;
+
+	@Parameter(label = "Persistence length", description = "In the unit of length: gives bending energies in kT", required = false, persist = false)
+	private String persistence_length = "";
+
+	@Parameter(label = "Rigidity (pN µm²)", description = "Gives bending energies in pN µm", required = false, persist = false)
+	private String rigidity = "";
+
+	@Parameter(label = "Out (folder)", description = "Empty to write no files", style = FileWidget.DIRECTORY_STYLE, required = false, persist = false)
+	private File out;
+
+	@Parameter(label = "Plots in the folder", description = "Written with the tables", required = false, persist = false)
+	private boolean plots = true;
+
+	@Parameter(label = "Original definitions", description = "Also write statsSummary.txt by the original tool's definitions", required = false, persist = false)
+	private boolean original_definitions = false;
+
+	@Parameter(label = "Force (replace measurements)", required = false, persist = false)
+	private boolean force = false;
+
+	@Parameter(label = "Show table, plots and kymographs", required = false, persist = false)
+	private boolean show = true;
+
+	@Override
+	void work(final Progress progress) throws IOException {
+		if (out != null)
+			ResultFolder.check(out.toPath(), force);
+		final ContourInput contours = contours();
+		final Map<String, String> texts = Form.of(this).texts();
+		texts.keySet().retainAll(MeasureOptions.KEYS);
+		final MovieMeasurements m = MeasureOptions.parse(texts).measure(contours, progress);
+		final Path folder = out == null ? null : out.toPath();
+		if (folder != null)
+			MeasurementFolder.write(m, folder, force, plots, original_definitions ? contours : null,
+				progress);
+		progress.checkCancelled();
+		if (show && !GraphicsEnvironment.isHeadless())
+			show(m);
+		MeasurementFolder.report(m).forEach(this::say);
+	}
+
+	private ContourInput contours() {
+		if (result != null)
+			return ContourInput.read(result.toPath());
+		return RoiContours.read(RoiManager.getRawInstance(), WindowManager.getCurrentImage());
+	}
+
+	private static void show(final MovieMeasurements m) {
+		LivePlots.table(m).show(m.name() + "-measurements");
+		LivePlots.series(m, Quantity.LENGTH).show();
+		LivePlots.series(m, Quantity.TIP_ANGLE).show();
+		if (m.dominantFrequency(Quantity.TIP_ANGLE).isPresent())
+			LivePlots.spectrum(m, Quantity.TIP_ANGLE).show();
+		Figures.tangentAngleImage(m).show();
+		Figures.curvatureImage(m).show();
+	}
+}

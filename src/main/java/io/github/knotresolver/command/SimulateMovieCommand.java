@@ -1,0 +1,145 @@
+package io.github.knotresolver.command;
+
+import java.awt.GraphicsEnvironment;
+import java.io.File;
+import java.io.IOException;
+import java.util.Locale;
+
+import org.scijava.ItemIO;
+import org.scijava.command.Command;
+import org.scijava.plugin.Attr;
+import org.scijava.plugin.Parameter;
+import org.scijava.plugin.Plugin;
+import org.scijava.widget.FileWidget;
+
+import ij.ImagePlus;
+import ij.macro.Interpreter;
+import io.github.knotresolver.imagej.MovieTiff;
+import io.github.knotresolver.imagej.Rendering;
+import io.github.knotresolver.imagej.SimulationRun;
+import io.github.knotresolver.io.OptionText;
+import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.simulate.Clamp;
+import io.github.knotresolver.simulate.FilamentProperties;
+import io.github.knotresolver.simulate.MediumProperties;
+import io.github.knotresolver.simulate.MotorProperties;
+import io.github.knotresolver.simulate.Optics;
+import io.github.knotresolver.simulate.Schedule;
+import io.github.knotresolver.simulate.SimulatedMovie;
+import io.github.knotresolver.simulate.SimulationParameters;
+
+/**
+ * {@code Simulate Movie...}: a clamped filament over motors, as a movie with
+ * known truth. The command line has more of the model's parameters.
+ */
+@Plugin(type = Command.class, label = "Simulate Movie...", attrs = @Attr(name = "no-legacy"))
+public class SimulateMovieCommand extends KnotCommand {
+
+	@Parameter(label = "Length (µm)", description = "Of the filament", min = "1", max = "200", required = false, persist = false)
+	private double length = 20;
+
+	@Parameter(label = "Density (motors per µm²)", min = "0", max = "1000", required = false, persist = false)
+	private double density = 50;
+
+	@Parameter(label = "Duration (s)", min = "0.001", max = "100000", required = false, persist = false)
+	private double duration = 300;
+
+	@Parameter(label = "Frames", min = "2", max = "10000", required = false, persist = false)
+	private int frames = 120;
+
+	@Parameter(label = "Warm up (s)", description = "Time before the first frame", min = "0", max = "100000", required = false, persist = false)
+	private double warm_up = 0;
+
+	@Parameter(label = "Seed", description = "The same seed gives the same movie", required = false, persist = false)
+	private long seed = 1;
+
+	@Parameter(label = "Clamp", description = "How the first end is held", choices = {"pivot",
+		"direction", "free"}, required = false, persist = false)
+	private String clamp = "pivot";
+
+	@Parameter(label = "Persistence length (µm)", description = "Empty for that of a microtubule of this length", required = false, persist = false)
+	private String persistence_length = "";
+
+	@Parameter(label = "Motor speed (µm/s)", description = "Without load", min = "0", max = "10", required = false, persist = false)
+	private double motor_speed = 0.1;
+
+	@Parameter(label = "Stall force (pN)", min = "0.1", max = "1000", required = false, persist = false)
+	private double stall_force = 6;
+
+	@Parameter(label = "Rendering", description = "paper: the published one; optical: microscope and camera", choices = {
+		"paper", "optical"}, required = false, persist = false)
+	private String rendering = "paper";
+
+	@Parameter(label = "Pixel size (µm)", min = "0.005", max = "10", required = false, persist = false)
+	private double pixel_size = 0.106;
+
+	@Parameter(label = "SNR (dB or inf)", description = "Signal-to-noise ratio; paper only", required = false, persist = false)
+	private String snr = "20";
+
+	@Parameter(label = "Bits", choices = {"8", "16"}, required = false, persist = false)
+	private String bits = "8";
+
+	@Parameter(label = "PSF sigma (px)", description = "Width of the point spread function; this and the rest: optical only", min = "0.3", max = "20", required = false, persist = false)
+	private double psf_sigma = 1.5;
+
+	@Parameter(label = "Signal (photons)", description = "In a pixel on the filament", min = "0.1", max = "1000000", required = false, persist = false)
+	private double signal = 100;
+
+	@Parameter(label = "Background (photons)", description = "In a pixel elsewhere", min = "0", max = "1000000", required = false, persist = false)
+	private double background = 20;
+
+	@Parameter(label = "Read noise (electrons)", min = "0", max = "1000", required = false, persist = false)
+	private double read_noise = 2;
+
+	@Parameter(label = "Others", description = "Other filaments that glide through the view", min = "0", max = "100", required = false, persist = false)
+	private int others = 0;
+
+	@Parameter(label = "Debris", description = "Specks that shine", min = "0", max = "1000", required = false, persist = false)
+	private int debris = 0;
+
+	@Parameter(label = "Out (folder)", description = "Gets movie, truth and parameters; empty to write no files", style = FileWidget.DIRECTORY_STYLE, required = false, persist = false)
+	private File out;
+
+	@Parameter(label = "Force (replace a movie)", required = false, persist = false)
+	private boolean force = false;
+
+	@Parameter(type = ItemIO.OUTPUT)
+	private ImagePlus simulated;
+
+	@Override
+	void work(final Progress progress) throws IOException {
+		final SimulationRun run = new SimulationRun(parameters(), rendering());
+		if (out != null)
+			ResultFolder.check(out.toPath(), force);
+		final SimulatedMovie movie = run.run(progress);
+		if (out != null)
+			run.write(movie, out.toPath(), force);
+		simulated = MovieTiff.image(movie.movie());
+		if (!GraphicsEnvironment.isHeadless() || Interpreter.isBatchMode())
+			simulated.show();
+		say(SimulationRun.report(movie));
+	}
+
+	private SimulationParameters parameters() {
+		final double bending = persistence_length.isBlank()
+			? FilamentProperties.microtubule(length).persistenceLength()
+			: OptionText.positive("persistence_length", persistence_length);
+		final FilamentProperties usual = FilamentProperties.microtubule(length);
+		final MotorProperties dynein = MotorProperties.dynein(density);
+		return new SimulationParameters(
+			new FilamentProperties(length, bending, usual.link(),
+				Clamp.valueOf(clamp.toUpperCase(Locale.ROOT))),
+			new MotorProperties(density, dynein.bindingRate(), dynein.bindingRange(),
+				dynein.unbindingRate(), dynein.unbindingForce(), stall_force, motor_speed,
+				dynein.stiffness()),
+			MediumProperties.WATER,
+			new Schedule(duration, frames, Schedule.PUBLISHED.timeStep(), warm_up), seed);
+	}
+
+	private Rendering rendering() {
+		return new Rendering(rendering.equalsIgnoreCase("optical"), pixel_size, Rendering.MARGIN,
+			Integer.parseInt(bits), snr, new Optics(psf_sigma, signal, background, read_noise,
+				Double.POSITIVE_INFINITY, others, Optics.CLEAN.glide(), debris));
+	}
+}

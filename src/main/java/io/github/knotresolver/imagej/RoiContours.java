@@ -1,0 +1,77 @@
+package io.github.knotresolver.imagej;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.TreeMap;
+
+import ij.ImagePlus;
+import ij.gui.Roi;
+import ij.plugin.frame.RoiManager;
+import ij.process.FloatPolygon;
+import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.io.ContourInput;
+
+/** The polylines of the ROI Manager as contours, each of the frame it stands on. */
+public final class RoiContours {
+
+	private RoiContours() {
+	}
+
+	/**
+	 * @param manager the ROI Manager; may be null
+	 * @param image where the polylines belong: gives name, calibration and the
+	 *          number of frames; may be null
+	 * @return the contours
+	 * @throws IllegalArgumentException if there are none, or two on one frame; in
+	 *           one sentence
+	 */
+	public static ContourInput read(final RoiManager manager, final ImagePlus image) {
+		final TreeMap<Integer, Polyline> contours = new TreeMap<>();
+		for (final Roi roi : manager == null ? new Roi[0] : manager.getRoisAsArray())
+			if (isLine(roi))
+				add(contours, roi);
+		if (contours.isEmpty())
+			throw new IllegalArgumentException(
+				"There is no polyline in the ROI Manager; resolve a movie first, or name a result with result=FOLDER.");
+		final int frames = Math.max(contours.lastKey(), image == null ? 0 : frames(image));
+		final List<Optional<Polyline>> all = new ArrayList<>();
+		for (int frame = 1; frame <= frames; frame++)
+			all.add(Optional.ofNullable(contours.get(frame)));
+		return new ContourInput(image == null ? "contours" : image.getTitle(), all,
+			image == null ? Calibration.NONE : ImageCalibration.of(image));
+	}
+
+	private static boolean isLine(final Roi roi) {
+		return roi.getType() == Roi.POLYLINE || roi.getType() == Roi.FREELINE;
+	}
+
+	private static void add(final TreeMap<Integer, Polyline> contours, final Roi roi) {
+		final int frame = roi.getTPosition() > 0 ? roi.getTPosition() : roi.getPosition();
+		if (frame < 1)
+			throw new IllegalArgumentException("The ROI '" + roi.getName()
+				+ "' stands on no frame; set one with More > Properties in the ROI Manager.");
+		if (contours.put(frame, contour(roi)) != null)
+			throw new IllegalArgumentException("The ROI Manager has two polylines on frame " + frame
+				+ "; delete one, the second is '" + roi.getName() + "'.");
+	}
+
+	private static Polyline contour(final Roi roi) {
+		final FloatPolygon points = roi.getFloatPolygon();
+		final double shift = roi.subPixelResolution() ? RoiConverter.OFFSET : 0;
+		return Polyline.of(shifted(points.xpoints, points.npoints, shift),
+			shifted(points.ypoints, points.npoints, shift));
+	}
+
+	private static double[] shifted(final float[] values, final int n, final double shift) {
+		final double[] shifted = new double[n];
+		Arrays.setAll(shifted, i -> values[i] - shift);
+		return shifted;
+	}
+
+	private static int frames(final ImagePlus image) {
+		return image.getNFrames() > 1 ? image.getNFrames() : image.getStackSize();
+	}
+}

@@ -1,0 +1,93 @@
+package io.github.knotresolver.imagej.form;
+
+import java.lang.reflect.Field;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+
+import org.scijava.plugin.Parameter;
+
+/**
+ * What a person or a macro fills in for a Command: its own parameters, in their
+ * order.
+ */
+public final class Form {
+
+	private final List<FormField> fields;
+
+	private Form(final List<FormField> fields) {
+		this.fields = List.copyOf(fields);
+	}
+
+	/**
+	 * @param command a Command
+	 * @return its form; values go straight into the Command
+	 */
+	public static Form of(final Object command) {
+		final List<FormField> fields = new ArrayList<>();
+		for (final Field field : command.getClass().getDeclaredFields())
+			if (field.isAnnotationPresent(Parameter.class)) {
+				final FormField one = new FormField(command, field);
+				if (one.kind() != FieldKind.NONE)
+					fields.add(one);
+			}
+		return new Form(fields);
+	}
+
+	/** @return the fields, in the order of the Command */
+	public List<FormField> fields() {
+		return fields;
+	}
+
+	/** @return all values as text, by key */
+	public Map<String, String> texts() {
+		final Map<String, String> texts = new LinkedHashMap<>();
+		fields.forEach(f -> texts.put(f.key(), f.text()));
+		return texts;
+	}
+
+	/**
+	 * Fills in values; what is not named keeps its default.
+	 *
+	 * @param texts values by key
+	 * @throws IllegalArgumentException if there is no such key, or its value is not
+	 *           allowed; in one sentence
+	 */
+	public void fill(final Map<String, String> texts) {
+		texts.forEach((key, text) -> field(key).set(text));
+	}
+
+	/**
+	 * Fills in the options of a macro.
+	 *
+	 * @param options what the macro says, such as
+	 *          {@code threshold=0.4 out=[/my folder] force}
+	 * @throws IllegalArgumentException likewise
+	 */
+	public void fill(final MacroOptions options) {
+		options.values().forEach((key, text) -> {
+			final FormField field = field(key);
+			if (text.isEmpty() && field.kind() != FieldKind.FLAG)
+				throw new IllegalArgumentException(key + " needs a value, such as " + key + "=["
+					+ field.text() + "]; it must be " + field.allowed() + ".");
+			field.set(text.orElse("true"));
+		});
+	}
+
+	/**
+	 * Checks all values, wherever they came from.
+	 *
+	 * @throws IllegalArgumentException if one is not allowed, in one sentence
+	 */
+	public void check() {
+		fields.forEach(FormField::check);
+	}
+
+	private FormField field(final String key) {
+		return fields.stream().filter(f -> f.key().equals(key)).findFirst().orElseThrow(
+			() -> new IllegalArgumentException("There is no key '" + key + "'; the keys are "
+				+ fields.stream().map(FormField::key).collect(Collectors.joining(", ")) + "."));
+	}
+}

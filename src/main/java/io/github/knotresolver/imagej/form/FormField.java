@@ -1,0 +1,185 @@
+package io.github.knotresolver.imagej.form;
+
+import java.io.File;
+import java.lang.reflect.Field;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+
+import org.scijava.plugin.Parameter;
+
+import ij.ImagePlus;
+import ij.WindowManager;
+import io.github.knotresolver.io.OptionText;
+
+/**
+ * One {@code @Parameter} of a Command. Its key in macros is the name of the
+ * Java field; its label starts with the same words.
+ */
+public final class FormField {
+
+	private final Object command;
+	private final Field field;
+	private final Parameter parameter;
+	private final FieldKind kind;
+
+	FormField(final Object command, final Field field) {
+		this.command = command;
+		this.field = field;
+		this.parameter = field.getAnnotation(Parameter.class);
+		this.kind = FieldKind.of(field.getType(), parameter);
+		field.setAccessible(true);
+	}
+
+	/** @return the key in macros */
+	public String key() {
+		return field.getName();
+	}
+
+	/** @return what the dialog shows beside it */
+	public String label() {
+		return parameter.label();
+	}
+
+	/** @return more words about it; may be empty */
+	public String description() {
+		return parameter.description();
+	}
+
+	/** @return what kind of value it takes */
+	public FieldKind kind() {
+		return kind;
+	}
+
+	/** @return the words to choose from */
+	public List<String> choices() {
+		return List.of(parameter.choices());
+	}
+
+	/** @return what values are allowed, such as {@code a whole number from 0 to 10} */
+	public String allowed() {
+		return switch (kind) {
+			case CHOICE -> String.join(" or ", parameter.choices());
+			case FLAG -> "true or false";
+			case WHOLE -> "a whole number" + range();
+			case NUMBER -> "a number" + range();
+			case FILE -> "a file";
+			case FOLDER -> "a folder";
+			case IMAGE -> "the title of an open image";
+			default -> "text";
+		};
+	}
+
+	private String range() {
+		final boolean least = !parameter.min().isEmpty(), most = !parameter.max().isEmpty();
+		if (least && most)
+			return " from " + parameter.min() + " to " + parameter.max();
+		return least ? " from " + parameter.min() + " on" : "";
+	}
+
+	/** @return the value as text; empty if there is none */
+	public String text() {
+		final Object value = get();
+		if (value == null)
+			return "";
+		if (value instanceof ImagePlus image)
+			return image.getTitle();
+		if (value instanceof Double number && number == Math.rint(number) && Math.abs(number) < 1e9)
+			return String.format(Locale.ROOT, "%.0f", number);
+		return value.toString();
+	}
+
+	/**
+	 * @param text what was typed; blank for none, where none is a value
+	 * @throws IllegalArgumentException if it is not allowed; one sentence that
+	 *           names key, value and what is
+	 */
+	public void set(final String text) {
+		try {
+			field.set(command, value(text.strip()));
+		} catch (final IllegalAccessException e) {
+			throw new IllegalStateException(e);
+		}
+	}
+
+	private Object value(final String text) {
+		return switch (kind) {
+			case WHOLE -> whole(text);
+			case NUMBER -> number(text);
+			case FLAG -> OptionText.flag(key(), text);
+			case CHOICE -> choice(text);
+			case FILE, FOLDER -> text.isEmpty() ? null : new File(text);
+			case IMAGE -> text.isEmpty() ? null : image(text);
+			default -> text;
+		};
+	}
+
+	private Object whole(final String text) {
+		final double value = number(text);
+		if (value != Math.rint(value))
+			throw refusal(text);
+		if (field.getType() == long.class)
+			return (long) value;
+		return (int) value;
+	}
+
+	private double number(final String text) {
+		final double value;
+		try {
+			value = OptionText.number(key(), text);
+		} catch (final IllegalArgumentException e) {
+			throw refusal(text);
+		}
+		if (!isInRange(value))
+			throw refusal(text);
+		return value;
+	}
+
+	private boolean isInRange(final double value) {
+		final double least = parameter.min().isEmpty()
+			? field.getType() == int.class ? Integer.MIN_VALUE : Double.NEGATIVE_INFINITY
+			: Double.parseDouble(parameter.min());
+		final double most = parameter.max().isEmpty()
+			? field.getType() == int.class ? Integer.MAX_VALUE : Double.POSITIVE_INFINITY
+			: Double.parseDouble(parameter.max());
+		return value >= least && value <= most;
+	}
+
+	private String choice(final String text) {
+		return Arrays.stream(parameter.choices()).filter(text::equalsIgnoreCase).findFirst()
+			.orElseThrow(() -> refusal(text));
+	}
+
+	private ImagePlus image(final String title) {
+		final ImagePlus image = WindowManager.getImage(title);
+		if (image == null)
+			throw refusal(title);
+		return image;
+	}
+
+	/**
+	 * Checks a value that did not come from text.
+	 *
+	 * @throws IllegalArgumentException if it is not allowed, as for
+	 *           {@link #set(String)}
+	 */
+	void check() {
+		final Object value = get();
+		if (value instanceof Number number && !isInRange(number.doubleValue()))
+			throw refusal(value.toString());
+		if (kind == FieldKind.CHOICE)
+			choice(value == null ? "" : value.toString());
+	}
+
+	private Object get() {
+		try {
+			return field.get(command);
+		} catch (final IllegalAccessException e) {
+			throw new IllegalStateException(e);
+		}
+	}
+
+	private IllegalArgumentException refusal(final String text) {
+		return OptionText.refusal(key(), allowed(), text);
+	}
+}

@@ -1,0 +1,55 @@
+package io.github.knotresolver.io;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+import io.github.knotresolver.evaluate.ErrorHistogram;
+import io.github.knotresolver.evaluate.Evaluation;
+import io.github.knotresolver.evaluate.EvaluationSummary;
+
+/** An evaluation in a few lines, for people. */
+public final class EvaluationReport {
+
+	/** Width of a bin of the position errors, in pixels. */
+	private static final double BIN = 0.1;
+
+	private final List<String> lines = new ArrayList<>();
+
+	private EvaluationReport() {
+	}
+
+	/**
+	 * @param evaluation an evaluation
+	 * @return a few lines; figures that there are not are left out
+	 */
+	public static List<String> lines(final Evaluation evaluation) {
+		final EvaluationSummary s = evaluation.summary();
+		final EvaluationReport report = new EvaluationReport();
+		report.line("frames", "%.0f", s.frames());
+		report.line("frames with a contour", "%.0f", s.framesPresent());
+		report.line("frames with crossings", "%.0f", s.framesWithCrossings());
+		report.line("frames without truth", "%.0f", s.extraResultFrames());
+		report.line("resolved (Frechet < 5 px)", "%.1f %%", s.percentResolved());
+		report.line("  of frames with crossings", "%.1f %%", s.percentResolvedCrossingFrames());
+		report.line("  of frames without", "%.1f %%", s.percentResolvedSimpleFrames());
+		report.line("from tip to fixed end", "%.0f frames", s.framesFlipped());
+		report.line("Dice index, mean", "%.4f", s.meanDice());
+		report.line("  of frames with crossings", "%.4f", s.meanDiceCrossingFrames());
+		report.line("Frechet distance, median", "%.3f px", s.medianFrechet());
+		report.line("  of frames with a contour", "%.3f px", s.medianFrechetPresent());
+		report.line("position error, mean", "%.3f px", s.meanError());
+		ErrorHistogram.of(evaluation.positionErrors(), BIN).gaussian()
+			.ifPresent(g -> report.lines.add(String.format(Locale.ROOT,
+				"%-28s mean %.3f px, sigma %.3f px", "  Gaussian fit", g.mean(), g.sigma())));
+		report.line("truth missed by, mean", "%.3f px", s.meanMiss());
+		report.line("length error, median", "%.2f %%", s.medianAbsoluteLengthError());
+		s.firstUnresolvedFrame().ifPresent(f -> report.line("first unresolved frame", "%.0f", f));
+		return List.copyOf(report.lines);
+	}
+
+	private void line(final String what, final String format, final double value) {
+		if (!Double.isNaN(value))
+			lines.add(String.format(Locale.ROOT, "%-28s " + format, what, value));
+	}
+}

@@ -1,0 +1,98 @@
+package io.github.knotresolver.io;
+
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+
+import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.measure.MovieMeasurements;
+import io.github.knotresolver.measure.Rigidity;
+import io.github.knotresolver.measure.Smoothing;
+import io.github.knotresolver.progress.Progress;
+
+/**
+ * The options of a measurement, read from text: one definition for the command
+ * line and for macros. An option that is absent or blank has its default.
+ */
+public final class MeasureOptions {
+
+	/** Every key. */
+	public static final Set<String> KEYS = Collections
+		.unmodifiableSet(new LinkedHashSet<>(Arrays.asList("pixel_size", "unit", "frame_interval",
+			"smoothing_window", "smoothing_order", "persistence_length", "rigidity")));
+
+	private final Map<String, String> given;
+
+	private MeasureOptions(final Map<String, String> given) {
+		this.given = given;
+	}
+
+	/**
+	 * @param texts what was typed, by key; blank for the default
+	 * @return the options; values are checked by
+	 *         {@link #measure(ContourInput, Progress)}
+	 */
+	public static MeasureOptions parse(final Map<String, String> texts) {
+		final Map<String, String> given = new TreeMap<>(texts);
+		given.values().removeIf(text -> text == null || text.isBlank());
+		return new MeasureOptions(given);
+	}
+
+	/**
+	 * Measures contours.
+	 *
+	 * @param contours the contours
+	 * @param progress told how far it is
+	 * @return the measurements
+	 * @throws IllegalArgumentException if an option is not allowed, or nothing can
+	 *           be measured; in one sentence
+	 */
+	public MovieMeasurements measure(final ContourInput contours, final Progress progress) {
+		final Calibration c = calibration(contours.calibration());
+		return MovieMeasurements.of(contours.name(), contours.contours(), c, smoothing(contours, c),
+			stiffness(), progress);
+	}
+
+	private Calibration calibration(final Calibration told) {
+		final boolean sized = given.containsKey("pixel_size");
+		final double size = positive("pixel_size").orElse(told.pixelSize());
+		final String length = given.containsKey("unit")
+			? UnitText.length(given.get("unit"))
+			: sized && !told.hasLengthUnit() ? "µm" : told.unit();
+		final Optional<Double> interval = positive("frame_interval");
+		return new Calibration(size, length, interval.orElse(told.frameInterval()),
+			interval.isPresent() ? "s" : told.timeUnit());
+	}
+
+	private Optional<Smoothing> smoothing(final ContourInput contours, final Calibration c) {
+		final Optional<Double> window = positive("smoothing_window");
+		final boolean ordered = given.containsKey("smoothing_order");
+		if (window.isEmpty() && !ordered)
+			return Optional.empty();
+		final double width = window.orElseGet(() -> Smoothing
+			.derivedFrom(contours.contours().stream().flatMap(Optional::stream).toList(), c)
+			.window());
+		return Optional.of(new Smoothing(width,
+			ordered
+				? OptionText.wholeNumber("smoothing_order", given.get("smoothing_order"))
+				: Smoothing.DEFAULT_ORDER));
+	}
+
+	private Rigidity stiffness() {
+		final Optional<Double> length = positive("persistence_length");
+		final Optional<Double> rigidity = positive("rigidity");
+		if (length.isPresent() && rigidity.isPresent())
+			throw new IllegalArgumentException(
+				"Give either a persistence length or a rigidity, not both.");
+		return length.map(Rigidity::ofPersistenceLength)
+			.orElseGet(() -> rigidity.map(Rigidity::ofFlexural).orElse(Rigidity.UNKNOWN));
+	}
+
+	private Optional<Double> positive(final String key) {
+		return Optional.ofNullable(given.get(key)).map(text -> OptionText.positive(key, text));
+	}
+}
