@@ -22,4 +22,12 @@ public record FilamentEstimate(LineModel model, double amplitude, double length,
 	public FilamentEstimate withLength(final double told) {
 		return new FilamentEstimate(model, amplitude, told, Double.NaN, fixedEnd);
 	}
+
+	/**
+	 * @param end where the fixed end is, in pixels
+	 * @return the same with that fixed end
+	 */
+	public FilamentEstimate withFixedEnd(final Point end) {
+		return new FilamentEstimate(model, amplitude, length, lengthError, end);
+	}
 }

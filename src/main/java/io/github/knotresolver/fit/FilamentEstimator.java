@@ -32,6 +32,12 @@ public final class FilamentEstimator {
 	/** A fitted frame whose length is farther off (relative) does not vote. */
 	private static final double OUTLIER = 0.06;
 
+	/** So many lengths must agree for their spread to say something. */
+	private static final int FEWEST_VOTES = 3;
+
+	/** What is wider (sigma, pixels) is not a line. */
+	private static final double WIDEST = 5.5;
+
 	/** A profile with a smaller power is a Gaussian. */
 	private static final double FLAT = 1.06;
 
@@ -53,9 +59,10 @@ public final class FilamentEstimator {
 	 *          taken
 	 * @param workers threads
 	 * @param progress asked whether to stop
-	 * @return what they say together
+	 * @return what they say together; empty if what they show is no line that is brighter
+	 *         than its surroundings
 	 */
-	public static FilamentEstimate estimate(final List<Sighting> sightings,
+	public static Optional<FilamentEstimate> estimate(final List<Sighting> sightings,
 		final Collection<LineModel.Kind> kinds, final Workers workers, final Progress progress) {
 		final List<Example> seen = new ArrayList<>();
 		for (final Sighting s : sightings)
@@ -63,13 +70,17 @@ public final class FilamentEstimator {
 				Chain.along(s.contour, links(s.contour.length()), s.contour.length())));
 		final List<Learned> learned = kinds.stream()
 			.map(kind -> learn(seen, kind, workers, progress)).toList();
-		return learned.stream().filter(l -> learned.size() == 1 || l.isPlausible())
-			.min(Comparator.comparingDouble(l -> l.line.residual())).orElse(learned.get(0))
-			.summary();
+		return learned.stream().filter(Learned::isLine)
+			.filter(l -> kinds.size() == 1 || l.isPlausible())
+			.min(Comparator.comparingDouble(l -> l.line.residual())).map(Learned::summary);
 	}
 
 	/** A line and the curves that were fitted with it. */
 	private record Learned(List<Example> examples, Estimate line) {
+
+		boolean isLine() {
+			return line.amplitude() > 0 && line.residual() < 1 && line.model().sigma() < WIDEST;
+		}
 
 		/**
 		 * A line that is not clipped and yet saturates is flat on top; where it is not, the
@@ -90,7 +101,7 @@ public final class FilamentEstimator {
 		Estimate line = line(examples, kind, FIRST_SIGMA);
 		for (int round = 0; round < ROUNDS; round++) {
 			progress.checkCancelled();
-			examples = refit(examples, line, workers);
+			examples = refit(examples, line, workers, progress);
 			line = line(examples, kind, line.model().sigma());
 		}
 		for (int round = 0; round < BRIGHTNESS_ROUNDS; round++) {
@@ -98,7 +109,7 @@ public final class FilamentEstimator {
 			if (brightness.length == 1)
 				break;
 			line = line.withModel(line.model().withBrightness(brightness));
-			examples = refit(examples, line, workers);
+			examples = refit(examples, line, workers, progress);
 		}
 		return new Learned(examples, line);
 	}
@@ -110,8 +121,9 @@ public final class FilamentEstimator {
 	}
 
 	private static List<Example> refit(final List<Example> examples, final Estimate line,
-		final Workers workers) {
+		final Workers workers, final Progress progress) {
 		return workers.map(examples.size(), i -> {
+			progress.checkCancelled();
 			final Example e = examples.get(i);
 			final NormalizedFrame frame = e.frame().rescaled(line.background(), line.amplitude());
 			final FilamentFitter fitter = new FilamentFitter(frame, line.model(), e.chain().links(),
@@ -126,10 +138,12 @@ public final class FilamentEstimator {
 		final double middle = median(lengths);
 		final double[] good = Arrays.stream(lengths).filter(l -> Math.abs(l / middle - 1) < OUTLIER)
 			.toArray();
-		final double length = median(good);
+		final double length = good.length == 0 ? middle : median(good);
 		final double[] off = Arrays.stream(good).map(l -> Math.abs(l - length)).sorted().toArray();
 		// 1.4826 MAD is a standard deviation, 1.2533 that of a median over that of a mean.
-		final double error = 1.4826 * median(off) * 1.2533 / Math.sqrt(good.length);
+		final double error = good.length < FEWEST_VOTES
+			? Double.NaN
+			: 1.4826 * median(off) * 1.2533 / Math.sqrt(good.length);
 		final double x = median(
 			examples.stream().mapToDouble(e -> e.chain().start().x()).sorted().toArray());
 		final double y = median(

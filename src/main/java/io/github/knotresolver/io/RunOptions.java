@@ -11,13 +11,13 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
-import java.util.TreeSet;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Cleaning;
 import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.mask.Segmentation;
+import io.github.knotresolver.pipeline.FrameChoice;
 import io.github.knotresolver.pipeline.Parameters;
 import io.github.knotresolver.pipeline.Parameters.CandidateMethod;
 import io.github.knotresolver.pipeline.Parameters.LengthModel;
@@ -78,35 +78,19 @@ public final class RunOptions {
 	 *
 	 * @param movie the movie
 	 * @return the parameters
-	 * @throws IllegalArgumentException if the fixed end is outside the image, or
-	 *           a frame is not in the movie
+	 * @throws IllegalArgumentException if they name a place, a frame or a
+	 *           length that the movie does not have, or leave no frame
 	 */
 	public Parameters parameters(final Movie movie) {
 		final Parameters p = parameters;
-		p.fixedEnd().ifPresent(end -> requireInside(end, movie));
-		requireInMovie("frames", p.frames(), movie);
-		requireInMovie("ignore_frames", p.ignoreFrames(), movie);
-		requireInMovie("corrections", new TreeSet<>(p.corrections().keySet()), movie);
 		final OptionalDouble pixels = length.isPresent()
 			? OptionalDouble.of(length.getAsDouble() / movie.calibration().pixelSize())
 			: OptionalDouble.empty();
-		return new Parameters(p.fixedEnd(), p.cleaning(), p.segmentation(), p.candidates(),
-			p.resolver(), pixels, p.lengthModel(), p.refine(), p.frames(), p.ignoreFrames(),
-			p.corrections(), p.threads());
-	}
-
-	private static void requireInside(final Point end, final Movie movie) {
-		if (!(end.x() >= -0.5 && end.y() >= -0.5 && end.x() <= movie.width() - 0.5
-			&& end.y() <= movie.height() - 0.5))
-			throw new IllegalArgumentException("fixed_end must lie inside the image of "
-				+ movie.width() + " x " + movie.height() + " pixels, but is " + end + ".");
-	}
-
-	private static void requireInMovie(final String key, final SortedSet<Integer> frames,
-		final Movie movie) {
-		if (!frames.isEmpty() && frames.last() > movie.size())
-			throw new IllegalArgumentException(key + " names frame " + frames.last()
-				+ ", but the movie has " + movie.size() + " frames.");
+		final Parameters fitting = new Parameters(p.fixedEnd(), p.cleaning(), p.segmentation(),
+			p.candidates(), p.resolver(), pixels, p.lengthModel(), p.refine(), p.frames(),
+			p.ignoreFrames(), p.corrections(), p.threads());
+		new FrameChoice(movie, fitting).frames();
+		return fitting;
 	}
 
 	private static InputOptions input(final Map<String, String> given) {

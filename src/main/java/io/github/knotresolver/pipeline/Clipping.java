@@ -13,27 +13,34 @@ import io.github.knotresolver.image.Pixels;
  * contrast stretch. Where a single strand already reaches the ceiling, strands that
  * cross cannot be brighter.
  *
- * @param share the share of all pixels that have the movie's largest value
+ * @param share the share of all pixels that pile up at the movie's largest value
  */
 record Clipping(double share) {
+
+	/** More pixels have the largest value than come within this share of the range below it. */
+	private static final double BELOW = 0.1;
 
 	/** In a movie that is not clipped, few pixels share the largest value. */
 	private static final double CLIPPED = 0.003;
 
 	static Clipping of(final Movie movie, final List<Integer> frames) {
-		double largest = Double.NEGATIVE_INFINITY;
-		long count = 0, pixels = 0;
+		double largest = Double.NEGATIVE_INFINITY, smallest = Double.POSITIVE_INFINITY;
+		for (final int frame : frames)
+			for (final double value : Pixels.doubles(movie.frame(frame - 1))) {
+				largest = Math.max(largest, value);
+				smallest = Math.min(smallest, value);
+			}
+		final double below = largest - BELOW * (largest - smallest);
+		long at = 0, justBelow = 0, pixels = 0;
 		for (final int frame : frames)
 			for (final double value : Pixels.doubles(movie.frame(frame - 1))) {
 				pixels++;
-				if (value > largest) {
-					largest = value;
-					count = 0;
-				}
 				if (value == largest)
-					count++;
+					at++;
+				else if (value >= below)
+					justBelow++;
 			}
-		return new Clipping((double) count / pixels);
+		return new Clipping(at > justBelow ? (double) at / pixels : 0);
 	}
 
 	/** How strands may add up in such a movie. */

@@ -23,6 +23,9 @@ import io.github.knotresolver.track.TrackedFrame;
  */
 public final class FilamentResolver {
 
+	/** A told fixed end farther than this (pixels) from any object is a mistake. */
+	private static final double FAR = 12;
+
 	private final Parameters parameters;
 
 	/**
@@ -53,12 +56,10 @@ public final class FilamentResolver {
 	private Resolution resolve(final Movie movie, final List<Integer> wanted, final Workers workers,
 		final Progress progress) {
 		final FramePreparer preparer = new FramePreparer(movie, parameters);
-		progress.report("Segmenting", 0);
-		final List<FrameView> frames = workers.map(wanted.size(), i -> {
-			progress.checkCancelled();
-			return preparer.prepare(wanted.get(i));
-		});
-		progress.report("Looking for the fixed end", 0.2);
+		final List<FrameView> frames = workers.map("Segmenting", progress, wanted.size(),
+			i -> preparer.prepare(wanted.get(i)));
+		progress.report("Looking for the fixed end", 0);
+		parameters.fixedEnd().ifPresent(end -> requireNearObject(end, frames));
 		final Point fixedEnd = parameters.fixedEnd()
 			.orElseGet(() -> new FixedEndFinder(frames, progress).find()
 				.orElseThrow(() -> nothingFound(movie)));
@@ -66,6 +67,8 @@ public final class FilamentResolver {
 			Clipping.of(movie, wanted).kinds(), workers, progress);
 		final Found found = resolver.resolve(frames, fixedEnd)
 			.orElseThrow(() -> nothingFound(movie));
+		if (found.frames().stream().allMatch(f -> f.contour().isEmpty()))
+			throw nothingFound(movie);
 		return new Resolution(movie, parameters, Optional.of(found.fixedEnd()), found.length(),
 			found.lengthError(), everyFrame(movie, found.frames()), found.notes());
 	}
@@ -81,8 +84,19 @@ public final class FilamentResolver {
 		return all;
 	}
 
+	private static void requireNearObject(final Point end, final List<FrameView> frames) {
+		final double nearest = frames.stream().mapToDouble(f -> f.distance(end)).min()
+			.orElse(Double.POSITIVE_INFINITY);
+		if (nearest > FAR)
+			throw new IllegalArgumentException("fixed_end " + end + " is "
+				+ (Double.isInfinite(nearest) ? "not near" : Math.round(nearest) + " px from")
+				+ " any object in any frame; give a point on the "
+				+ "filament's clamped end, in pixels, or none to have it found.");
+	}
+
 	private static IllegalArgumentException nothingFound(final Movie movie) {
 		return new IllegalArgumentException("No filament was found in '" + movie.name()
-			+ "': no bright line stays together in any frame; check the channel, or set a threshold.");
+			+ "': no bright line on a darker background can be followed in any frame; check the channel, "
+			+ "set a threshold, or tell the fixed end.");
 	}
 }

@@ -5,17 +5,27 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Movie;
 
 /** Which frames are to be resolved, once movie and parameters are known to fit together. */
-record FrameChoice(Movie movie, Parameters parameters) {
+public record FrameChoice(Movie movie, Parameters parameters) {
 
-	/** @return 1-based numbers, rising, at least one */
-	List<Integer> frames() {
+	/** A filament cannot be longer than this many times the picture's width and height. */
+	private static final double LONGEST = 6;
+
+	/**
+	 * @return 1-based numbers of the frames to resolve, rising, at least one
+	 * @throws IllegalArgumentException if the parameters name a frame, a place or a length
+	 *           that the movie does not have, or leave no frame
+	 */
+	public List<Integer> frames() {
 		requireInside("frames", parameters.frames());
 		requireInside("ignore_frames", parameters.ignoreFrames());
 		requireInside("corrections", parameters.corrections().keySet());
-		parameters.fixedEnd().ifPresent(this::requireInside);
+		parameters.fixedEnd().ifPresent(end -> requireInside("fixed_end", end));
+		parameters.corrections().forEach(this::requireUsable);
+		parameters.length().ifPresent(this::requirePossible);
 		final List<Integer> wanted = IntStream.rangeClosed(1, movie.size()).boxed()
 			.filter(f -> parameters.frames().isEmpty() || parameters.frames().contains(f))
 			.filter(f -> !parameters.ignoreFrames().contains(f)).toList();
@@ -29,15 +39,32 @@ record FrameChoice(Movie movie, Parameters parameters) {
 	private void requireInside(final String name, final Collection<Integer> numbers) {
 		for (final int frame : numbers)
 			if (frame < 1 || frame > movie.size())
-				throw new IllegalArgumentException(name + " names frame " + frame + ", but '"
-					+ movie.name() + "' has frames 1 to " + movie.size() + ".");
+				throw new IllegalArgumentException(name + " names frame " + frame
+					+ ", but the movie has " + movie.size() + " frames.");
 	}
 
-	private void requireInside(final Point end) {
-		if (!(end.x() >= -0.5 && end.x() <= movie.width() - 0.5 && end.y() >= -0.5
-			&& end.y() <= movie.height() - 0.5))
-			throw new IllegalArgumentException("fixed_end " + end + " is outside the image of "
-				+ movie.width() + " x " + movie.height()
-				+ " pixels; give x,y in pixels, counted from 0 at the top left.");
+	private void requireInside(final String what, final Point place) {
+		if (!(place.x() >= -0.5 && place.x() <= movie.width() - 0.5 && place.y() >= -0.5
+			&& place.y() <= movie.height() - 0.5))
+			throw new IllegalArgumentException(
+				what + " is outside the image of " + movie.width() + " x " + movie.height()
+					+ " pixels; give x,y in pixels, counted from 0 at the top left.");
+	}
+
+	private void requireUsable(final int frame, final Polyline contour) {
+		final String name = "The correction of frame " + frame;
+		if (contour.size() < 2 || !(contour.length() > 1))
+			throw new IllegalArgumentException(name
+				+ " needs at least two points, more than a pixel apart, from the fixed end to the tip.");
+		requireInside(name + ": its first point", contour.first());
+		requireInside(name + ": its last point", contour.last());
+	}
+
+	private void requirePossible(final double length) {
+		if (length > LONGEST * (movie.width() + movie.height()))
+			throw new IllegalArgumentException(
+				"length is " + length + " pixels, which is far too long for an image of "
+					+ movie.width() + " x " + movie.height()
+					+ " pixels; give it in the image's unit, " + movie.calibration().unit() + ".");
 	}
 }

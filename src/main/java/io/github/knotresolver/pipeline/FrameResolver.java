@@ -79,7 +79,7 @@ final class FrameResolver {
 	}
 
 	private Track onSkeletons(final List<FrameView> frames, final Point fixedEnd) {
-		progress.report("Resolving", 0.4);
+		progress.report("Resolving", 0);
 		final Resolver resolver = parameters.resolver() == ResolverMethod.PAPER
 			? new GreedyResolver(generator())
 			: new TrellisResolver(generator(), TrellisResolver.DEFAULT_MOTION, workers);
@@ -101,8 +101,8 @@ final class FrameResolver {
 	/** The same contours, fitted to the picture; frames without one stay without. */
 	private Found refined(final List<FrameView> frames, final Found track) {
 		final Map<Integer, Polyline> contours = new HashMap<>();
-		track.frames.forEach(
-			f -> f.contour().filter(c -> c.size() > 1).ifPresent(c -> contours.put(f.frame(), c)));
+		track.frames.forEach(f -> f.contour().filter(c -> c.length() > 1)
+			.ifPresent(c -> contours.put(f.frame(), c)));
 		final List<FrameView> seen = frames.stream().filter(f -> contours.containsKey(f.frame()))
 			.toList();
 		return seen.isEmpty()
@@ -116,11 +116,16 @@ final class FrameResolver {
 		fits.frames().forEach(f -> byFrame.put(f.frame(), f));
 		final List<TrackedFrame> frames = new ArrayList<>();
 		for (final TrackedFrame f : track.frames)
-			frames.add(f.contour().isEmpty()
-				? f
-				: f.withContour(byFrame.get(f.frame()).contour().or(f::contour).orElseThrow()));
+			frames.add(refined(f, byFrame.get(f.frame())));
 		return new Found(fits.estimate().fixedEnd(), fits.estimate().length(),
 			fits.estimate().lengthError(), frames, track.notes);
+	}
+
+	/** A frame's contour as fitted; as it was where the user gave it or no fit is good. */
+	private static TrackedFrame refined(final TrackedFrame frame, final TrackedFrame fit) {
+		return fit == null || fit.contour().isEmpty() || frame.status() == FrameStatus.CORRECTED
+			? frame
+			: frame.withContour(fit.contour().get());
 	}
 
 	private static Found found(final Resolved r) {

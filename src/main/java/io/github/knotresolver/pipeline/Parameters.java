@@ -83,7 +83,7 @@ public record Parameters(Optional<Point> fixedEnd, Cleaning cleaning, Segmentati
 
 	/**
 	 * @return whether this is the published method from end to end: then Otsu's threshold
-	 *         is taken as published, and the contour is left at pixel resolution
+	 *         is taken as published
 	 */
 	public boolean isPublished() {
 		return candidates == CandidateMethod.PAPER && resolver == ResolverMethod.PAPER;

@@ -8,6 +8,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
@@ -55,6 +56,28 @@ public final class Workers implements AutoCloseable {
 			tasks.add(() -> task.apply(index));
 		}
 		return run(tasks, executor.get());
+	}
+
+	/**
+	 * Does a task for each of 0..count-1, tells how many are done and stops if asked to.
+	 *
+	 * @param <T> what a task gives
+	 * @param stage what is being done, in a few words
+	 * @param progress told and asked
+	 * @param count number of tasks
+	 * @param task gives the result for an index
+	 * @return the results in order
+	 * @throws CancelledException if the user asked to stop
+	 */
+	public <T> List<T> map(final String stage, final Progress progress, final int count,
+		final IntFunction<T> task) {
+		final AtomicInteger done = new AtomicInteger();
+		return map(count, i -> {
+			progress.checkCancelled();
+			final T result = task.apply(i);
+			progress.report(stage, (double) done.incrementAndGet() / count);
+			return result;
+		});
 	}
 
 	private static <T> List<T> run(final List<Callable<T>> tasks, final ExecutorService executor) {

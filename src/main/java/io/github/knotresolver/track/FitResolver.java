@@ -1,6 +1,7 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
@@ -34,6 +35,9 @@ import io.github.knotresolver.progress.Workers;
  * candidates; the cheapest path through all fits of all frames is the movie.
  */
 public final class FitResolver {
+
+	/** The fixed end that is learned from the clearest frames is this near (pixels), or wrong. */
+	private static final double NEAR = 10;
 
 	/** Number of hypotheses that are carried along. */
 	private static final int WIDTH = 3;
@@ -85,38 +89,43 @@ public final class FitResolver {
 		final List<Sighting> sightings = Sightings.choose(steady, first);
 		return sightings.isEmpty()
 			? Optional.empty()
-			: Optional.of(resolve(steady, fixedEnd, estimate(sightings, length), corrections));
+			: estimate(sightings, fixedEnd, length)
+				.map(e -> resolve(steady, fixedEnd, e, corrections));
 	}
 
 	private List<FrameView> withoutBleaching(final List<FrameView> frames,
 		final List<CandidateSet> sets) {
-		final Bleaching bleaching = Bleaching.learn(IntStream.range(0, frames.size())
-			.mapToDouble(t -> StrandLight.of(frames.get(t), sets.get(t))).toArray());
-		return IntStream.range(0, frames.size())
-			.mapToObj(t -> frames.get(t).scaled(bleaching.factor(t))).toList();
+		final int first = frames.get(0).frame();
+		final double[] brightness = new double[frames.get(frames.size() - 1).frame() - first + 1];
+		Arrays.fill(brightness, Double.NaN);
+		for (int t = 0; t < frames.size(); t++)
+			brightness[frames.get(t).frame() - first] = StrandLight.of(frames.get(t), sets.get(t));
+		final Bleaching bleaching = Bleaching.learn(brightness);
+		return frames.stream().map(f -> f.scaled(bleaching.factor(f.frame() - first))).toList();
 	}
 
-	private FilamentEstimate estimate(final List<Sighting> sightings, final OptionalDouble length) {
-		progress.report("Learning what the filament looks like", 0.4);
-		final FilamentEstimate learned = FilamentEstimator.estimate(sightings, kinds, workers,
-			progress);
-		return length.isPresent() ? learned.withLength(length.getAsDouble()) : learned;
+	private Optional<FilamentEstimate> estimate(final List<Sighting> sightings,
+		final Point fixedEnd, final OptionalDouble length) {
+		progress.report("Learning what the filament looks like", 0);
+		return FilamentEstimator.estimate(sightings, kinds, workers, progress)
+			.map(e -> length.isPresent() ? e.withLength(length.getAsDouble()) : e)
+			.map(e -> e.fixedEnd().distanceTo(fixedEnd) > NEAR ? e.withFixedEnd(fixedEnd) : e);
 	}
 
 	private Resolved resolve(final List<FrameView> frames, final Point fixedEnd,
 		final FilamentEstimate estimate, final Map<Integer, Polyline> corrections) {
 		final List<CandidateSet> sets = candidates(frames, fixedEnd,
-			OptionalDouble.of(estimate.length()));
+			freeLength ? OptionalDouble.empty() : OptionalDouble.of(estimate.length()));
 		final List<NormalizedFrame> light = frames.stream()
 			.map(f -> f.light().rescaled(0, estimate.amplitude())).toList();
 		final List<List<Fit>> pools = pools(frames, light, estimate, sets, corrections);
-		return new Resolved(estimate, new FitTrellis(frames, light, estimate, pools, sets)
-			.solve(corrections.keySet(), progress));
+		return new Resolved(estimate,
+			new FitTrellis(frames, light, estimate, pools, sets).solve(corrections, progress));
 	}
 
 	private List<CandidateSet> candidates(final List<FrameView> frames, final Point fixedEnd,
 		final OptionalDouble length) {
-		return workers.map(frames.size(), t -> generator
+		return workers.map("Proposing contours", progress, frames.size(), t -> generator
 			.generate(CandidateQuery.of(frames.get(t).graph(), fixedEnd, length), progress));
 	}
 
@@ -128,9 +137,7 @@ public final class FitResolver {
 			estimate.model(), FilamentEstimator.links(estimate.length()),
 			Optional.of(estimate.fixedEnd()), FitSettings.DEFAULT.withFreeLength(freeLength));
 		final FitProposals proposer = new FitProposals(estimate, freeLength);
-		progress.report("Fitting the graph's candidates", 0.5);
-		final List<List<Fit>> proposals = workers.map(n, t -> {
-			progress.checkCancelled();
+		final List<List<Fit>> proposals = workers.map("Fitting the proposals", progress, n, t -> {
 			final Polyline given = corrections.get(frames.get(t).frame());
 			return given == null
 				? proposer.of(sets.get(t), fitters.apply(t),
@@ -141,7 +148,6 @@ public final class FitResolver {
 							.withStiffness(FitProposals.START_STIFFNESS)))
 				: proposer.of(given, fitters.apply(t));
 		});
-		progress.report("Following the filament forwards and backwards", 0.7);
 		final Propagation propagation = new Propagation(WIDTH, MotionPrice.learn(proposals),
 			fitters, proposals, t -> corrections.containsKey(frames.get(t).frame()), progress);
 		final List<List<List<Fit>>> walks = workers.map(2, direction -> propagation

@@ -2,14 +2,15 @@ package io.github.knotresolver.track;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 
 import io.github.knotresolver.candidate.CandidateSet;
 import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitQuality;
 import io.github.knotresolver.fit.NormalizedFrame;
+import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -30,7 +31,7 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentE
 	/** Where more than this share is in the dark, no contour can be trusted. */
 	private static final double UNRESOLVED = 0.3;
 
-	List<TrackedFrame> solve(final Set<Integer> corrected, final Progress progress) {
+	List<TrackedFrame> solve(final Map<Integer, Polyline> given, final Progress progress) {
 		final List<double[]> prices = pools.stream()
 			.map(p -> p.stream().mapToDouble(Fit::energy).toArray()).toList();
 		final MotionPrice motion = MotionPrice.learn(pools);
@@ -45,26 +46,40 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentE
 		final FitConfidence confidence = FitConfidence.learn(quality);
 		final List<TrackedFrame> tracked = new ArrayList<>();
 		for (int t = 0; t < pools.size(); t++)
-			tracked.add(tracked(t, path, quality.get(t), confidence, corrected));
+			tracked.add(tracked(t, path, quality.get(t), confidence, given));
 		return tracked;
 	}
 
 	private TrackedFrame tracked(final int t, final TrellisPath path,
 		final Optional<FitQuality> quality, final FitConfidence confidence,
-		final Set<Integer> corrected) {
+		final Map<Integer, Polyline> given) {
 		final int frame = frames.get(t).frame();
-		if (quality.isEmpty() || quality.get().dark() > LOST)
+		final boolean lost = quality.isEmpty() || quality.get().dark() > LOST;
+		final boolean dark = lost || quality.get().dark() > UNRESOLVED;
+		if (given.containsKey(frame))
+			return new TrackedFrame(frame, FrameStatus.CORRECTED, "Given by the user.",
+				Optional.of(dark ? given.get(frame) : chosen(t, path).chain().contour()),
+				junctions(t), 1, dark ? 0 : chosen(t, path).energy(), 1);
+		if (lost)
 			return TrackedFrame.without(frame, FrameStatus.LOST,
 				"No filament was found in this frame.");
-		if (quality.get().dark() > UNRESOLVED)
+		if (dark)
 			return TrackedFrame.without(frame, FrameStatus.UNRESOLVED,
 				"The best contour runs in the dark for " + Math.round(100 * quality.get().dark())
 					+ " % of its length.");
-		final Fit fit = pools.get(t).get(path.choice()[t]);
-		final boolean given = corrected.contains(frame);
-		return new TrackedFrame(frame, given ? FrameStatus.CORRECTED : FrameStatus.RESOLVED,
-			Outcome.limitReason(sets.get(t).limited()), Optional.of(fit.chain().contour()),
-			frames.get(t).graph().junctions(), pools.get(t).size(), fit.energy(),
-			given ? 1 : confidence.of(FitConfidence.gap(path, pools.get(t), t), quality.get()));
+		final Polyline contour = chosen(t, path).chain().contour();
+		return new TrackedFrame(frame, FrameStatus.RESOLVED,
+			Outcome.limitReason(sets.get(t).limited()), Optional.of(contour), junctions(t),
+			pools.get(t).size(), chosen(t, path).energy(),
+			confidence.of(FitConfidence.gap(path, pools.get(t), t), quality.get(),
+				Uncovered.share(frames.get(t).graph(), contour)));
+	}
+
+	private Fit chosen(final int t, final TrellisPath path) {
+		return pools.get(t).get(path.choice()[t]);
+	}
+
+	private int junctions(final int t) {
+		return frames.get(t).graph().junctions();
 	}
 }

@@ -60,8 +60,8 @@ public final class FixedEndFinder {
 		this.progress = progress;
 	}
 
-	/** A free end in one frame, with the length of its object's skeleton. */
-	private record End(int frame, Point at, double length) {
+	/** A free end in one frame, and how much its object looks like the filament. */
+	private record End(int frame, Point at, double vote) {
 	}
 
 	/** Ends of different frames at the same place. */
@@ -70,10 +70,10 @@ public final class FixedEndFinder {
 
 	/** @return the fixed end in pixels; empty if no filament was found */
 	public Optional<Point> find() {
-		final double[] movement = movement();
+		final double[] covered = coverage();
 		final List<End> ends = new ArrayList<>();
 		for (int t = 0; t < frames.size(); t++)
-			addEnds(t, movement, ends);
+			addEnds(t, covered, ends);
 		final List<Place> places = places(ends);
 		if (places.size() < 2)
 			return places.stream().map(Place::at).findFirst();
@@ -84,7 +84,7 @@ public final class FixedEndFinder {
 	}
 
 	/** For every pixel, the share of frames in which the mask covers it. */
-	private double[] movement() {
+	private double[] coverage() {
 		final Img<BitType> first = frames.get(0).mask();
 		final double[] share = new double[(int) (first.dimension(0) * first.dimension(1))];
 		for (final FrameView frame : frames) {
@@ -127,8 +127,10 @@ public final class FixedEndFinder {
 	/** The places with the most votes, each frame voting once for a place. */
 	private List<Place> places(final List<End> ends) {
 		final List<Place> all = new ArrayList<>();
-		for (final End end : ends)
+		for (final End end : ends) {
+			progress.checkCancelled();
 			all.add(place(end, ends));
+		}
 		all.sort(
 			Comparator.comparingDouble(Place::votes).reversed().thenComparingDouble(Place::spread)
 				.thenComparingDouble(p -> p.at.x()).thenComparingDouble(p -> p.at.y()));
@@ -149,8 +151,8 @@ public final class FixedEndFinder {
 			final double d = other.at.distanceTo(end.at);
 			if (d > SAME_PLACE || !voters.add(other.frame))
 				continue;
-			votes += other.length;
-			spread += d * other.length;
+			votes += other.vote;
+			spread += d * other.vote;
 		}
 		return new Place(end.at, votes, spread / votes);
 	}

@@ -4,6 +4,8 @@ import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
 
 import io.github.knotresolver.fit.NormalizedFrame;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.graph.Segment;
 import io.github.knotresolver.graph.SkeletonGraph;
 
 /**
@@ -17,10 +19,24 @@ import io.github.knotresolver.graph.SkeletonGraph;
 public record FrameView(int frame, NormalizedFrame light, Img<BitType> mask, SkeletonGraph graph) {
 
 	/**
+	 * @param place in pixels
+	 * @return the distance to the nearest skeleton in pixels; infinite if there is none
+	 */
+	public double distance(final Point place) {
+		double nearest = Double.POSITIVE_INFINITY;
+		for (final Segment segment : graph.segments())
+			for (int i = 0; i < segment.curve().size(); i++)
+				nearest = Math.min(nearest, segment.curve().point(i).distanceTo(place));
+		return nearest;
+	}
+
+	/**
 	 * @param amplitude the brightness that becomes 1
 	 * @return the same frame with its light in other units
 	 */
 	FrameView scaled(final double amplitude) {
-		return new FrameView(frame, light.rescaled(0, amplitude), mask, graph);
+		return amplitude == 1
+			? this
+			: new FrameView(frame, light.rescaled(0, amplitude), mask, graph);
 	}
 }

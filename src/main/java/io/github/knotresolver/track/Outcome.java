@@ -27,7 +27,7 @@ final class Outcome {
 
 	static String limitReason(final boolean limited) {
 		return limited
-			? "The search hit a limit: a better contour may have been missed; raise the limit."
+			? "The search hit a limit: a better contour may have been missed; if it is wrong, draw the frame as a correction."
 			: "";
 	}
 }

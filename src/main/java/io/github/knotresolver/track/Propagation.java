@@ -70,6 +70,7 @@ final class Propagation {
 		List<Hypothesis> beam = List.of();
 		for (final int frame : order) {
 			progress.checkCancelled();
+			progress.report("Following the filament", (double) made.size() / order.length);
 			final List<Hypothesis> next = new ArrayList<>();
 			final List<Fit> fits = given.test(frame) ? List.of() : carried(frame, beam, next);
 			for (final Fit proposal : proposals.get(frame))

@@ -143,11 +143,8 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 
 	private static double confidence(final Solution solution, final int t, final int chosen) {
 		final List<Polyline> contours = solution.columns.get(t).contours();
-		double second = Double.POSITIVE_INFINITY;
-		for (int v = 0; v < contours.size(); v++)
-			if (differ(contours.get(v), contours.get(chosen)))
-				second = Math.min(second, solution.path.through()[t][v]);
-		return 1 - Math.exp(-Math.max(0, second - solution.path.total()) / GAP_SCALE);
+		final double gap = solution.path.gap(t, v -> differ(contours.get(v), contours.get(chosen)));
+		return 1 - Math.exp(-gap / GAP_SCALE);
 	}
 
 	private static boolean differ(final Polyline a, final Polyline b) {

@@ -65,8 +65,9 @@ class FilamentEstimatorTest {
 			sightings.add(new Sighting(drawn.frame(t), jagged.divided(12)));
 		}
 		try (Workers workers = new Workers(2)) {
-			return FilamentEstimator.estimate(sightings, EnumSet.allOf(LineModel.Kind.class),
-				workers, Progress.NONE);
+			return FilamentEstimator
+				.estimate(sightings, EnumSet.allOf(LineModel.Kind.class), workers, Progress.NONE)
+				.orElseThrow();
 		}
 	}
 }

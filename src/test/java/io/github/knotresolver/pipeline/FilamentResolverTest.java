@@ -163,6 +163,59 @@ class FilamentResolverTest {
 	}
 
 	@Test
+	void correctionsThatCannotBeUsedAreNamed() {
+		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(3, LENGTH, 0.8), List.of(),
+			GAUSSIAN, NOISE, 30);
+		assertMessage(drawn,
+			with(new TreeSet<>(), new TreeSet<>(),
+				Map.of(2, Polyline.of(new double[]{5}, new double[]{6}))),
+			"correction of frame 2 needs at least two points");
+		assertMessage(drawn, with(new TreeSet<>(), new TreeSet<>(),
+			Map.of(2, Polyline.of(new double[]{5, 500}, new double[]{6, 600}))), "500.0,600.0");
+	}
+
+	@Test
+	void aCorrectionThroughTheDarkIsKeptAsGiven() {
+		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(8, LENGTH, 0.8), List.of(),
+			GAUSSIAN, NOISE, 31);
+		final Polyline given = Polyline.of(new double[]{22.4, 5}, new double[]{55.3, 105});
+		final Resolution result = resolve(drawn,
+			with(new TreeSet<>(), new TreeSet<>(), Map.of(3, given)));
+		assertEquals(FrameStatus.CORRECTED, result.frames().get(2).status());
+		assertEquals("Given by the user.", result.frames().get(2).reason());
+	}
+
+	@Test
+	void aToldEndOrLengthThatCannotBeIsRefused() {
+		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(4, LENGTH, 0.8), List.of(),
+			GAUSSIAN, NOISE, 32);
+		final Parameters d = Parameters.DEFAULT;
+		assertMessage(drawn,
+			new Parameters(Optional.of(new Point(5, 104)), d.cleaning(), d.segmentation(),
+				d.candidates(), d.resolver(), d.length(), d.lengthModel(), true, d.frames(),
+				d.ignoreFrames(), d.corrections(), 1),
+			"px from any object");
+		assertMessage(drawn,
+			new Parameters(d.fixedEnd(), d.cleaning(), d.segmentation(), d.candidates(),
+				d.resolver(), OptionalDouble.of(15000), d.lengthModel(), true, d.frames(),
+				d.ignoreFrames(), d.corrections(), 1),
+			"far too long");
+	}
+
+	@Test
+	void aWrongLengthCostsConfidence() {
+		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(8, LENGTH, 0.8), List.of(),
+			GAUSSIAN, NOISE, 33);
+		final Parameters d = Parameters.DEFAULT;
+		final Resolution result = resolve(drawn,
+			new Parameters(d.fixedEnd(), d.cleaning(), d.segmentation(), d.candidates(),
+				d.resolver(), OptionalDouble.of(LENGTH / 3), d.lengthModel(), true, d.frames(),
+				d.ignoreFrames(), d.corrections(), 2));
+		result.frames().forEach(f -> assertTrue(f.contour().isEmpty() || f.confidence() < 0.5,
+			"frame " + f.frame() + " is sure of it: " + f.confidence()));
+	}
+
+	@Test
 	void cancelsInTheMiddle() {
 		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(6, LENGTH, KNOTTED), List.of(),
 			GAUSSIAN, NOISE, 29);

@@ -72,7 +72,7 @@ class TrellisTest {
 				if (v != path.choice()[t])
 					second = Math.min(second, through);
 			}
-			assertEquals(second - path.total(), path.gap(t), 1e-9, "seed " + seed);
+			assertEquals(second - path.total(), path.gap(t, v -> true), 1e-9, "seed " + seed);
 		}
 	}
 
@@ -123,8 +123,8 @@ class TrellisTest {
 		}, Progress.NONE);
 		assertArrayEquals(new int[]{-1, 0, -1, 0, -1}, path.choice());
 		assertEquals(1, path.total());
-		assertEquals(4, path.gap(1));
-		assertEquals(Double.POSITIVE_INFINITY, path.gap(0));
+		assertEquals(4, path.gap(1, v -> true));
+		assertEquals(Double.POSITIVE_INFINITY, path.gap(0, v -> true));
 	}
 
 	@Test
