@@ -164,6 +164,7 @@ class ResolveFilamentCommandTest {
 		long settled = 0;
 		for (int i = 0; i < 20; i++) {
 			final ResolveFilamentCommand command = new ResolveFilamentCommand();
+			command.setContext(context);
 			Form.of(command).fill(Map.of("frames", "1-2"));
 			WindowManager.setTempCurrentImage(sample);
 			command.run();
