@@ -27,9 +27,10 @@ public record FitSettings(double stiffness, double clampWeight, double memory, i
 
 	/**
 	 * @param price of bending
-	 * @return the same otherwise
+	 * @return settings for a rough fit of a stiff filament
 	 */
-	public FitSettings withStiffness(final double price) {
-		return new FitSettings(price, clampWeight, memory, iterations, tolerance, freeLength);
+	public FitSettings roughAndStiff(final double price) {
+		return new FitSettings(price, clampWeight, memory, iterations / 2, 10 * tolerance,
+			freeLength);
 	}
 }

@@ -1,6 +1,7 @@
 package io.github.knotresolver.pipeline;
 
 import java.util.Collection;
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.IntStream;
 
@@ -37,18 +38,16 @@ public record FrameChoice(Movie movie, Parameters parameters) {
 	}
 
 	private void requireInside(final String name, final Collection<Integer> numbers) {
-		for (final int frame : numbers)
-			if (frame < 1 || frame > movie.size())
-				throw new IllegalArgumentException(name + " names frame " + frame
-					+ ", but the movie has " + movie.size() + " frames.");
+		if (!numbers.isEmpty() && Collections.max(numbers) > movie.size())
+			throw new IllegalArgumentException(name + " names frame " + Collections.max(numbers)
+				+ ", but the movie has " + movie.size() + " frames.");
 	}
 
 	private void requireInside(final String what, final Point place) {
 		if (!(place.x() >= -0.5 && place.x() <= movie.width() - 0.5 && place.y() >= -0.5
 			&& place.y() <= movie.height() - 0.5))
-			throw new IllegalArgumentException(
-				what + " is outside the image of " + movie.width() + " x " + movie.height()
-					+ " pixels; give x,y in pixels, counted from 0 at the top left.");
+			throw new IllegalArgumentException(what + " must lie inside the image of "
+				+ movie.width() + " x " + movie.height() + " pixels, but is " + place + ".");
 	}
 
 	private void requireUsable(final int frame, final Polyline contour) {

@@ -145,7 +145,7 @@ public final class FitResolver {
 						FilamentEstimator.links(estimate.length()),
 						Optional.of(estimate.fixedEnd()),
 						FitSettings.DEFAULT.withFreeLength(freeLength)
-							.withStiffness(FitProposals.START_STIFFNESS)))
+							.roughAndStiff(FitProposals.START_STIFFNESS)))
 				: proposer.of(given, fitters.apply(t));
 		});
 		final Propagation propagation = new Propagation(WIDTH, MotionPrice.learn(proposals),
