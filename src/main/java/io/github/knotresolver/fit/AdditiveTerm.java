@@ -28,7 +28,7 @@ final class AdditiveTerm implements ImageTerm {
 	private final int[] head;
 	private final int[] band;
 	private int bandSize;
-	private final Strip strip = new Strip();
+	private final Strip strip;
 
 	// One entry for each pair of a pixel and a link in reach.
 	private int[] next = new int[1 << 14];
@@ -41,6 +41,7 @@ final class AdditiveTerm implements ImageTerm {
 
 	AdditiveTerm(final NormalizedFrame frame, final LineModel line, final int links) {
 		this.frame = frame;
+		strip = new Strip(frame.width(), frame.height());
 		brightness = line.brightnessOfLinks(links);
 		sigma2 = line.sigma() * line.sigma();
 		reach = line.sigma() * 4.2;
@@ -128,16 +129,13 @@ final class AdditiveTerm implements ImageTerm {
 		final double by, final boolean slopes) {
 		final double l = Math.sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay));
 		final double ux = (bx - ax) / l, uy = (by - ay) / l;
-		strip.lay(ux, uy, -reach, l + reach, reach);
-		final int top = Math.max(0, (int) Math.ceil(ay + strip.top()));
-		final int bottom = Math.min(frame.height() - 1, (int) Math.floor(ay + strip.bottom()));
-		for (int row = top; row <= bottom; row++) {
+		strip.lay(ax, ay, ux, uy, -reach, l + reach, reach);
+		final int lastRow = strip.lastRow();
+		for (int row = strip.firstRow(); row <= lastRow; row++) {
 			final double py = row - ay;
-			if (!strip.cut(py))
-				continue;
-			final int left = Math.max(0, (int) Math.ceil(ax + strip.low()));
-			final int right = Math.min(frame.width() - 1, (int) Math.floor(ax + strip.high()));
-			for (int column = left; column <= right; column++) {
+			strip.cut(row);
+			final int lastColumn = strip.lastColumn();
+			for (int column = strip.firstColumn(); column <= lastColumn; column++) {
 				final double px = column - ax;
 				final double t = px * ux + py * uy, n = px * -uy + py * ux;
 				final double across = brightness[i] * gauss.at(n * n);

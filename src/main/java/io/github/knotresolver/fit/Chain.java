@@ -80,11 +80,6 @@ public final class Chain {
 		return theta[i];
 	}
 
-	/** @return a copy of the directions of all links in radians */
-	public double[] angles() {
-		return theta.clone();
-	}
-
 	/**
 	 * @return the nodes as a polyline of {@code links() + 1} points, in pixels
 	 */

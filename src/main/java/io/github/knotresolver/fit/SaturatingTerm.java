@@ -31,13 +31,14 @@ final class SaturatingTerm implements ImageTerm {
 	private final double[] along;
 	private final int[] band;
 	private int bandSize;
-	private final Strip strip = new Strip();
+	private final Strip strip;
 
 	private final int[] nodes = new int[2];
 	private final double[] jacobian = new double[4];
 
 	SaturatingTerm(final NormalizedFrame frame, final LineModel model, final int links) {
 		this.frame = frame;
+		strip = new Strip(frame.width(), frame.height());
 		reach = model.reach();
 		brightness = model.brightnessOfLinks(links);
 		final double k = 1 / (2 * model.sigma() * model.sigma());
@@ -146,17 +147,14 @@ final class SaturatingTerm implements ImageTerm {
 		final double ax = x[i], ay = y[i], bx = x[i + 1] - ax, by = y[i + 1] - ay;
 		final double l = Math.sqrt(bx * bx + by * by), ux = bx / l, uy = by / l;
 		final boolean isFirst = i == 0, isLast = i == links - 1;
-		strip.lay(ux, uy, isFirst ? -reach : -wedge(x, y, i),
+		strip.lay(ax, ay, ux, uy, isFirst ? -reach : -wedge(x, y, i),
 			l + (isLast ? reach : wedge(x, y, i + 1)), reach);
-		final int top = Math.max(0, (int) Math.ceil(ay + strip.top()));
-		final int bottom = Math.min(frame.height() - 1, (int) Math.floor(ay + strip.bottom()));
-		for (int row = top; row <= bottom; row++) {
+		final int lastRow = strip.lastRow();
+		for (int row = strip.firstRow(); row <= lastRow; row++) {
 			final double py = row - ay;
-			if (!strip.cut(py))
-				continue;
-			final int left = Math.max(0, (int) Math.ceil(ax + strip.low()));
-			final int right = Math.min(frame.width() - 1, (int) Math.floor(ax + strip.high()));
-			for (int column = left; column <= right; column++) {
+			strip.cut(row);
+			final int lastColumn = strip.lastColumn();
+			for (int column = strip.firstColumn(); column <= lastColumn; column++) {
 				final double px = column - ax, free = px * ux + py * uy;
 				final double s = Math.max(0, Math.min(l, free));
 				final double dx = px - s * ux, dy = py - s * uy;

@@ -1,13 +1,18 @@
 package io.github.knotresolver.fit;
 
 /**
- * A rectangle along a link, row by row: the pixels that can matter for it, without those
- * in the corners of its bounding box.
+ * A rectangle along a link, row by row, as far as it is inside a frame: the pixels that
+ * can matter for the link, without those in the corners of its bounding box.
  */
 final class Strip {
 
 	private static final double PARALLEL = 1e-9;
 
+	private final int width;
+	private final int height;
+
+	private double x0;
+	private double y0;
 	private double ux;
 	private double uy;
 	private double begin;
@@ -17,45 +22,51 @@ final class Strip {
 	private double low;
 	private double high;
 
+	/** For frames of a size in pixels. */
+	Strip(final int width, final int height) {
+		this.width = width;
+		this.height = height;
+	}
+
 	/**
 	 * Lays the strip.
 	 *
-	 * @param ux direction of the link, a unit vector
-	 * @param uy direction of the link
-	 * @param begin along the link, in pixels from its start, usually negative
-	 * @param end along the link, in pixels from its start
-	 * @param reach half width across the link in pixels
+	 * @param x column of the link's start
+	 * @param y row of the link's start
+	 * @param unitX direction of the link, a unit vector
+	 * @param unitY direction of the link
+	 * @param from along the link, in pixels from its start, usually negative
+	 * @param to along the link, in pixels from its start
+	 * @param across half width across the link in pixels
 	 */
-	void lay(final double ux, final double uy, final double begin, final double end,
-		final double reach) {
-		this.ux = ux;
-		this.uy = uy;
-		this.begin = begin;
-		this.end = end;
-		this.reach = reach;
+	void lay(final double x, final double y, final double unitX, final double unitY,
+		final double from, final double to, final double across) {
+		x0 = x;
+		y0 = y;
+		ux = unitX;
+		uy = unitY;
+		begin = from;
+		end = to;
+		reach = across;
 	}
 
-	/** Half the height of the strip's bounding box above the link's start. */
-	double top() {
-		return Math.min(begin * uy, end * uy) - reach * Math.abs(ux);
+	int firstRow() {
+		final double top = Math.min(begin * uy, end * uy) - reach * Math.abs(ux);
+		return Math.max(0, (int) Math.ceil(y0 + top));
 	}
 
-	double bottom() {
-		return Math.max(begin * uy, end * uy) + reach * Math.abs(ux);
+	int lastRow() {
+		final double bottom = Math.max(begin * uy, end * uy) + reach * Math.abs(ux);
+		return Math.min(height - 1, (int) Math.floor(y0 + bottom));
 	}
 
-	/**
-	 * Cuts the strip with a row.
-	 *
-	 * @param dy the row, from the link's start
-	 * @return whether they meet, from {@link #low()} to {@link #high()}
-	 */
-	boolean cut(final double dy) {
+	/** Cuts the strip with a row: then first and last column are those of that row. */
+	void cut(final int row) {
+		final double dy = row - y0;
 		low = Double.NEGATIVE_INFINITY;
 		high = Double.POSITIVE_INFINITY;
 		narrow(ux, begin - dy * uy, end - dy * uy);
 		narrow(uy, dy * ux - reach, dy * ux + reach);
-		return low <= high;
 	}
 
 	/** Keeps the dx with from <= slope * dx <= to. */
@@ -70,13 +81,12 @@ final class Strip {
 			high = Double.NEGATIVE_INFINITY;
 	}
 
-	/** Smallest column, from the link's start. */
-	double low() {
-		return low;
+	int firstColumn() {
+		return Math.max(0, (int) Math.ceil(x0 + low));
 	}
 
-	/** Largest column, from the link's start. */
-	double high() {
-		return high;
+	/** Before the first column if row and strip do not meet. */
+	int lastColumn() {
+		return Math.min(width - 1, (int) Math.floor(x0 + high));
 	}
 }
