@@ -7,6 +7,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
+import org.apache.commons.math3.stat.descriptive.rank.Median;
+
 import io.github.knotresolver.fit.LineEstimator.Estimate;
 import io.github.knotresolver.fit.LineEstimator.Example;
 import io.github.knotresolver.geometry.Point;
@@ -151,10 +153,8 @@ public final class FilamentEstimator {
 		return new FilamentEstimate(line.model(), line.amplitude(), length, error, new Point(x, y));
 	}
 
-	/** @param sorted rising values, at least one */
-	private static double median(final double[] sorted) {
-		final int n = sorted.length;
-		return n % 2 == 1 ? sorted[n / 2] : (sorted[n / 2 - 1] + sorted[n / 2]) / 2;
+	private static double median(final double[] values) {
+		return new Median().evaluate(values);
 	}
 
 	/**

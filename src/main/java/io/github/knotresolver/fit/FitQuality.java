@@ -47,23 +47,9 @@ public record FitQuality(double misfit, double dark) {
 				|| middleY > frame.height() - 1)
 				continue;
 			inside++;
-			if (mean(frame, middleX, middleY) >= DARK * brightness[i])
+			if (frame.meanAround(middleX, middleY) >= DARK * brightness[i])
 				bright++;
 		}
 		return inside == 0 ? 1 : 1 - (double) bright / inside;
-	}
-
-	/** Mean of up to 3 x 3 pixels of the frame. */
-	private static double mean(final NormalizedFrame frame, final double x, final double y) {
-		final int column = (int) Math.rint(x), row = (int) Math.rint(y);
-		double sum = 0;
-		int count = 0;
-		for (int r = Math.max(0, row - 1); r <= Math.min(frame.height() - 1, row + 1); r++)
-			for (int c = Math.max(0, column - 1); c <= Math.min(frame.width() - 1,
-				column + 1); c++) {
-				sum += frame.pixels()[r * frame.width() + c];
-				count++;
-			}
-		return sum / count;
 	}
 }

@@ -26,4 +26,22 @@ public record NormalizedFrame(int width, int height, double[] pixels) {
 			scaled[i] = (pixels[i] - background) / amplitude;
 		return new NormalizedFrame(width, height, scaled);
 	}
+
+	/**
+	 * @param x column in pixels
+	 * @param y row in pixels
+	 * @return the mean of the 3 x 3 pixels around the nearest one, as far as they are in
+	 *         the frame; NaN if none is
+	 */
+	public double meanAround(final double x, final double y) {
+		final int column = (int) Math.rint(x), row = (int) Math.rint(y);
+		double sum = 0;
+		int count = 0;
+		for (int r = Math.max(0, row - 1); r <= Math.min(height - 1, row + 1); r++)
+			for (int c = Math.max(0, column - 1); c <= Math.min(width - 1, column + 1); c++) {
+				sum += pixels[r * width + c];
+				count++;
+			}
+		return sum / count;
+	}
 }

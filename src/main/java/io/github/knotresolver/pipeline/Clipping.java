@@ -27,8 +27,9 @@ record Clipping(double share) {
 		double largest = Double.NEGATIVE_INFINITY, smallest = Double.POSITIVE_INFINITY;
 		for (final int frame : frames)
 			for (final double value : Pixels.doubles(movie.frame(frame - 1))) {
-				largest = Math.max(largest, value);
-				smallest = Math.min(smallest, value);
+				// Comparisons are false for pixels without a value.
+				largest = value > largest ? value : largest;
+				smallest = value < smallest ? value : smallest;
 			}
 		final double below = largest - BELOW * (largest - smallest);
 		long at = 0, justBelow = 0, pixels = 0;

@@ -133,19 +133,14 @@ public final class FitResolver {
 		final FilamentEstimate estimate, final List<CandidateSet> sets,
 		final Map<Integer, Polyline> corrections) {
 		final int n = frames.size();
-		final IntFunction<FilamentFitter> fitters = t -> new FilamentFitter(light.get(t),
-			estimate.model(), FilamentEstimator.links(estimate.length()),
-			Optional.of(estimate.fixedEnd()), FitSettings.DEFAULT.withFreeLength(freeLength));
+		final FitSettings settings = FitSettings.DEFAULT.withFreeLength(freeLength);
+		final IntFunction<FilamentFitter> fitters = t -> fitter(light.get(t), estimate, settings);
+		final FitSettings rough = settings.roughAndStiff(FitProposals.START_STIFFNESS);
 		final FitProposals proposer = new FitProposals(estimate, freeLength);
 		final List<List<Fit>> proposals = workers.map("Fitting the proposals", progress, n, t -> {
 			final Polyline given = corrections.get(frames.get(t).frame());
 			return given == null
-				? proposer.of(sets.get(t), fitters.apply(t),
-					new FilamentFitter(light.get(t), estimate.model(),
-						FilamentEstimator.links(estimate.length()),
-						Optional.of(estimate.fixedEnd()),
-						FitSettings.DEFAULT.withFreeLength(freeLength)
-							.roughAndStiff(FitProposals.START_STIFFNESS)))
+				? proposer.of(sets.get(t), fitters.apply(t), fitter(light.get(t), estimate, rough))
 				: proposer.of(given, fitters.apply(t));
 		});
 		final Propagation propagation = new Propagation(WIDTH, MotionPrice.learn(proposals),
@@ -161,5 +156,11 @@ public final class FitResolver {
 			pools.add(pool.fits());
 		}
 		return pools;
+	}
+
+	private static FilamentFitter fitter(final NormalizedFrame light,
+		final FilamentEstimate estimate, final FitSettings settings) {
+		return new FilamentFitter(light, estimate.model(),
+			FilamentEstimator.links(estimate.length()), Optional.of(estimate.fixedEnd()), settings);
 	}
 }

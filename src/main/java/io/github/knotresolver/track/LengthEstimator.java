@@ -5,6 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 
+import org.apache.commons.math3.stat.descriptive.rank.Median;
+
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.graph.RootedGraph;
 import io.github.knotresolver.graph.SkeletonGraph;
@@ -78,10 +80,7 @@ public final class LengthEstimator {
 	}
 
 	private static double median(final double[] values) {
-		final double[] sorted = values.clone();
-		Arrays.sort(sorted);
-		final int half = sorted.length / 2;
-		return sorted.length % 2 == 1 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
+		return new Median().evaluate(values);
 	}
 
 	private static boolean endsNear(final SkeletonGraph graph, final Point fixedEnd) {

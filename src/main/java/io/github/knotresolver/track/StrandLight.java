@@ -4,7 +4,6 @@ import java.util.Arrays;
 
 import io.github.knotresolver.candidate.CandidateSet;
 import io.github.knotresolver.contour.ContourBuilder;
-import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Polyline;
 
 /** How bright a single strand is in a frame. */
@@ -28,20 +27,8 @@ final class StrandLight {
 		final Polyline contour = ContourBuilder.smooth(set.candidates().get(0));
 		final double[] light = new double[contour.size()];
 		for (int i = 0; i < light.length; i++)
-			light[i] = at(frame.light(), contour.x(i), contour.y(i));
+			light[i] = frame.light().meanAround(contour.x(i), contour.y(i));
 		Arrays.sort(light);
 		return light[(int) (QUANTILE * (light.length - 1))];
-	}
-
-	/** Mean of the 3 x 3 pixels around a point. */
-	private static double at(final NormalizedFrame frame, final double x, final double y) {
-		double sum = 0;
-		for (int r = -1; r <= 1; r++)
-			for (int c = -1; c <= 1; c++) {
-				final int row = Math.max(0, Math.min(frame.height() - 1, (int) Math.rint(y) + r));
-				final int column = Math.max(0, Math.min(frame.width() - 1, (int) Math.rint(x) + c));
-				sum += frame.pixels()[row * frame.width() + column];
-			}
-		return sum / 9;
 	}
 }

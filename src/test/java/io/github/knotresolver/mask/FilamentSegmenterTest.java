@@ -16,6 +16,7 @@ import net.imglib2.type.numeric.real.FloatType;
 
 import org.junit.jupiter.api.Test;
 
+import io.github.knotresolver.CancelledProgress;
 import io.github.knotresolver.image.Cleaning;
 import io.github.knotresolver.image.FrameCleaner;
 import io.github.knotresolver.image.Pixels;
@@ -158,17 +159,7 @@ class FilamentSegmenterTest {
 
 	@Test
 	void cancellingStopsTheContours() {
-		final Progress cancelled = new Progress() {
-
-			@Override
-			public void report(final String stage, final double fraction) {
-			}
-
-			@Override
-			public boolean isCancelled() {
-				return true;
-			}
-		};
+		final Progress cancelled = new CancelledProgress();
 		assertThrows(CancelledException.class,
 			() -> ActiveContourOnly.segment(List.of(lineAt(20)), published, cancelled));
 	}

@@ -10,6 +10,7 @@ import java.util.stream.DoubleStream;
 
 import org.junit.jupiter.api.Test;
 
+import io.github.knotresolver.CancelledProgress;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
@@ -75,17 +76,7 @@ class DeterminismTest {
 
 	@Test
 	void cancellingStopsAtOnce() {
-		final Progress cancelled = new Progress() {
-
-			@Override
-			public void report(final String stage, final double fraction) {
-			}
-
-			@Override
-			public boolean isCancelled() {
-				return true;
-			}
-		};
+		final Progress cancelled = new CancelledProgress();
 		assertThrows(CancelledException.class,
 			() -> new FilamentSimulator(SimulationParameters.published(20, 50, 1)).run(cancelled));
 	}

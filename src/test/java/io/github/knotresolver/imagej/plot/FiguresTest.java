@@ -28,6 +28,7 @@ import ij.ImageStack;
 import ij.gui.Plot;
 import ij.measure.ResultsTable;
 import ij.process.ColorProcessor;
+import io.github.knotresolver.CancelledProgress;
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.measure.MovieMeasurements;
@@ -131,17 +132,7 @@ class FiguresTest {
 
 	@Test
 	void cancelStopsDrawing() {
-		final Progress cancelled = new Progress() {
-
-			@Override
-			public void report(final String stage, final double fraction) {
-			}
-
-			@Override
-			public boolean isCancelled() {
-				return true;
-			}
-		};
+		final Progress cancelled = new CancelledProgress();
 		assertThrows(CancelledException.class,
 			() -> Figures.writeAll(folder, movie(10), cancelled));
 	}
