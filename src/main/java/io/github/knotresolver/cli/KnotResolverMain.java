@@ -71,7 +71,7 @@ public final class KnotResolverMain implements Runnable {
 			.addSubcommand(new BatchSubcommand(engine, progress))
 			.addSubcommand(new MeasureSubcommand(progress))
 			.addSubcommand(new SimulateSubcommand(progress))
-			.addSubcommand(new EvaluateSubcommand(progress))
+			.addSubcommand(new EvaluateSubcommand(engine, progress))
 			.setCaseInsensitiveEnumValuesAllowed(true);
 		line.setOut(out).setErr(err);
 		line.setParameterExceptionHandler((e, a) -> refuse(err, e));

@@ -53,7 +53,8 @@ public final class EvaluationCsv {
 				"The scores cannot be written to " + out + "; choose a file in a writable folder.");
 	}
 
-	private static String number(final double value) {
+	/** @return the number, or {@code inf} */
+	static String number(final double value) {
 		return value == Double.POSITIVE_INFINITY ? "inf" : NumberText.significant(value);
 	}
 }
