@@ -31,6 +31,9 @@ record LineProfile(double core, double coreSigma, double halo, double haloSigma)
 	/** The halo is this much wider than the core. */
 	private static final double LEAST_RATIO = 1.5, MOST_RATIO = 4;
 
+	/** Weight of being dim, where the picture is cut off and does not tell. */
+	private static final double FAINTNESS = 1e-3;
+
 	private static final int MOST_EVALUATIONS = 4000;
 
 	/** Starts of the search: width of the core in units of the guess. */
@@ -78,7 +81,7 @@ record LineProfile(double core, double coreSigma, double halo, double haloSigma)
 				sum += (model - medians[i]) * (model - medians[i]);
 			}
 		// Of profiles that the cut-off does not tell apart, the dimmest.
-		return sum / (medians[0] * medians[0]) + 1e-5 * (core + halo) / medians[0];
+		return sum / (medians[0] * medians[0]) + FAINTNESS * (core + halo) / medians[0];
 	}
 
 	/** @return brightness at a distance from the line's middle in pixels */
