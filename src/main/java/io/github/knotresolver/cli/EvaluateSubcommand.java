@@ -12,10 +12,10 @@ import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.imagej.LikeFolder;
 import io.github.knotresolver.imagej.LikeRun;
 import io.github.knotresolver.imagej.ScoreFiles;
-import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.EvaluationReport;
 import io.github.knotresolver.io.LikeReport;
 import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -100,7 +100,8 @@ final class EvaluateSubcommand implements Callable<Integer> {
 		try {
 			if (out != null)
 				ScoreFiles.requireWritable(out);
-			evaluation = Evaluation.of(ContoursCsv.read(truth), ContoursCsv.read(result), progress);
+			evaluation = Evaluation.of(TruthCsv.read("truth", truth),
+				TruthCsv.read("result", result), progress);
 		} catch (final IllegalArgumentException e) {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
 		}

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.SortedMap;
 
 import org.scijava.command.Command;
 import org.scijava.plugin.Attr;
@@ -17,6 +18,7 @@ import io.github.knotresolver.evaluate.Evaluation;
 import io.github.knotresolver.evaluate.FrameScore;
 import io.github.knotresolver.evaluate.like.LikeResult;
 import io.github.knotresolver.evaluate.like.LikeStudy;
+import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.imagej.LikeFolder;
 import io.github.knotresolver.imagej.LikeRun;
@@ -26,6 +28,7 @@ import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.EvaluationReport;
 import io.github.knotresolver.io.LikeReport;
 import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -44,13 +47,13 @@ public class EvaluateCommand extends KnotCommand {
 	@Parameter(label = "Like (result folder)", description = "Instead of the two above: movies that resemble this result's are simulated, resolved alike and scored", style = FileWidget.DIRECTORY_STYLE, required = false, persist = false)
 	private File like;
 
-	@Parameter(label = "Movies", description = "How many to simulate; with Like", min = "1", max = "1000", required = false, persist = false)
+	@Parameter(label = "Movies (how many)", description = "To simulate; with Like", min = "1", max = "1000", required = false, persist = false)
 	private int movies = LikeStudy.MOVIES;
 
 	@Parameter(label = "Seed", description = "The same seed gives the same scores; with Like", required = false, persist = false)
 	private long seed = 1;
 
-	@Parameter(label = "Original movie", description = "The file that the result was made from; with Like; empty for the one that the result tells", required = false, persist = false)
+	@Parameter(label = "Movie (file)", description = "That the result was made from; with Like; empty for the file that the result tells", required = false, persist = false)
 	private File movie;
 
 	@Parameter(label = "Out (CSV; a folder with Like)", description = "Gets the scores of every frame, and figures; empty to write no file", required = false, persist = false)
@@ -76,8 +79,8 @@ public class EvaluateCommand extends KnotCommand {
 	private void againstTruth(final Progress progress) throws IOException {
 		if (out != null)
 			ScoreFiles.requireWritable(out.toPath());
-		final Evaluation evaluation = Evaluation.of(ContoursCsv.read(file("truth", truth).toPath()),
-			ContoursCsv.read(file("result", result).toPath()), progress);
+		final Evaluation evaluation = Evaluation.of(read("truth", truth), read("result", result),
+			progress);
 		if (out != null)
 			ScoreFiles.write(out.toPath(), evaluation, plots, progress);
 		show(evaluation.frames(), evaluation.positionErrors());
@@ -114,10 +117,11 @@ public class EvaluateCommand extends KnotCommand {
 	}
 
 	/** A folder stands for the contours in it. */
-	private static File file(final String key, final File given) {
+	private static SortedMap<Integer, Polyline> read(final String key, final File given) {
 		if (given == null)
 			throw new IllegalArgumentException(
 				key + " is missing; name a contours.csv, or a folder with one.");
-		return Files.isDirectory(given.toPath()) ? new File(given, ContoursCsv.FILE) : given;
+		final Path path = given.toPath();
+		return TruthCsv.read(key, Files.isDirectory(path) ? path.resolve(ContoursCsv.FILE) : path);
 	}
 }

@@ -24,9 +24,17 @@ public final class LikeRun {
 	 */
 	public static LikeSource source(final Path folder, final Path movie) {
 		final ResolvedRun run = ResolvedRun.read(folder);
-		final Movie opened = ImageMovie.of(ImageFile.open(run.movieFile(movie)),
-			run.options().input());
+		final Movie opened = open(run, movie);
 		return new LikeSource(opened, run.contours().contours(), run.options().parameters(opened));
+	}
+
+	private static Movie open(final ResolvedRun run, final Path named) {
+		final Path file = run.movieFile(named);
+		try {
+			return ImageMovie.of(ImageFile.open(file), run.options().input());
+		} catch (final IllegalArgumentException e) {
+			throw new IllegalArgumentException("movie cannot be used: " + e.getMessage(), e);
+		}
 	}
 
 	/**

@@ -50,7 +50,7 @@ public final class EvaluationCsv {
 		if (folder == null || Files.isDirectory(out) || !Files.isDirectory(folder)
 			|| !Files.isWritable(Files.exists(out) ? out : folder))
 			throw new IllegalArgumentException(
-				"The scores cannot be written to " + out + "; choose a file in a writable folder.");
+				"out " + out + " cannot be written; choose a file in a writable folder.");
 	}
 
 	/** @return the number, or {@code inf} */

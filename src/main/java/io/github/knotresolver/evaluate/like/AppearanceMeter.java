@@ -29,7 +29,7 @@ final class AppearanceMeter {
 	private static final double BRIGHTER = 1.35;
 
 	/** A top is flat that falls less than this, relative to a Gaussian. */
-	private static final double FLAT = 0.4;
+	private static final double FLAT = 0.65;
 
 	private final Movie movie;
 	private final GreyRange range;

@@ -28,14 +28,14 @@ public record LikeSource(Movie movie, List<Optional<Polyline>> contours, Paramet
 	public LikeSource {
 		contours = List.copyOf(contours);
 		if (contours.size() != movie.size())
-			throw new IllegalArgumentException("The movie '" + movie.name() + "' has "
-				+ movie.size() + " frames, but the result has " + contours.size()
-				+ "; name the movie that the result was made from.");
+			throw new IllegalArgumentException(
+				"movie '" + movie.name() + "' has " + movie.size() + " frames, but the result has "
+					+ contours.size() + "; name the movie that the result was made from.");
 		final List<Optional<Polyline>> all = contours;
 		if (IntStream.range(1, all.size())
 			.filter(t -> all.get(t - 1).isPresent() && all.get(t).isPresent())
 			.count() < FEWEST_PAIRS)
-			throw new IllegalArgumentException("The result has contours in fewer than "
+			throw new IllegalArgumentException("like has contours in fewer than "
 				+ (FEWEST_PAIRS + 1)
 				+ " neighbouring frames, too few to see how the filament moves; resolve a longer part of the movie.");
 		micrometres(movie.calibration().unit());
@@ -51,8 +51,8 @@ public record LikeSource(Movie movie, List<Optional<Polyline>> contours, Paramet
 			case "µm" -> 1;
 			case "nm" -> 1e-3;
 			case "mm" -> 1e3;
-			default -> throw new IllegalArgumentException("The result is in " + unit
-				+ "s, but a simulation needs micrometres; resolve the movie again with its pixel size, such as pixel_size 0.106.");
+			default -> throw new IllegalArgumentException("like is a result in the unit '" + unit
+				+ "', but a simulation needs micrometres; resolve the movie again and tell its pixel size.");
 		};
 	}
 }
