@@ -8,7 +8,7 @@ import org.apache.commons.math3.stat.StatUtils;
 /** How far a histogram of position errors goes, so that a few wrong frames do not squash it. */
 final class HistogramRange {
 
-	private static final double LEAST = 1, SHOWN = 99;
+	private static final double LEAST = 1, MEDIANS = 8;
 
 	private HistogramRange() {
 	}
@@ -18,7 +18,7 @@ final class HistogramRange {
 	 * @return the end of the axis in pixels
 	 */
 	static double of(final double[] errors) {
-		final double most = Math.max(LEAST, 1.5 * StatUtils.percentile(errors, SHOWN));
+		final double most = Math.max(LEAST, MEDIANS * StatUtils.percentile(errors, 50));
 		return Math.ceil(most * 2) / 2;
 	}
 

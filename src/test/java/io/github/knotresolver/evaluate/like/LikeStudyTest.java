@@ -11,6 +11,7 @@ import java.util.Optional;
 
 import org.junit.jupiter.api.Test;
 
+import io.github.knotresolver.CancelledProgress;
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Movie;
@@ -127,20 +128,9 @@ class LikeStudyTest {
 
 	@Test
 	void aUserMayStop() {
-		final Progress stop = new Progress() {
-
-			@Override
-			public void report(final String stage, final double fraction) {
-			}
-
-			@Override
-			public boolean isCancelled() {
-				return true;
-			}
-		};
 		final LikeStudy study = new LikeStudy(source(user(), 2), (m, p, progress) -> stub(m, p),
 			Progress.NONE);
-		assertThrows(CancelledException.class, () -> study.run(1, 1, stop));
+		assertThrows(CancelledException.class, () -> study.run(1, 1, new CancelledProgress()));
 	}
 
 	@Test
