@@ -26,7 +26,7 @@ import io.github.knotresolver.simulate.Trajectory;
  * parameters and scores them.
  * <p>
  * The same seed gives the same result, whatever the number of threads. Cost:
- * ten simulations to find the motion; then a simulation and a resolution for
+ * twelve simulations to find the motion; then a simulation and a resolution for
  * every movie.
  */
 public final class LikeStudy {

@@ -16,7 +16,7 @@ import io.github.knotresolver.simulate.FilamentSimulator;
  * Finds motor density, time scale and start of a simulation whose motion
  * resembles that of a user's filament.
  * <p>
- * Two simulations for each of five densities are enough: they are recorded finely in
+ * Two simulations for each of six densities are enough: they are recorded finely in
  * time, and every time scale and start is a way to read the recordings. The tip
  * of a filament over motors moves about as fast as they walk whatever their
  * density, so the user's tip tells the time scale to begin with. The reading that
@@ -24,8 +24,8 @@ import io.github.knotresolver.simulate.FilamentSimulator;
  */
 final class MotionSearch {
 
-	/** Motors per µm²: the published range and twice as many. */
-	private static final double[] DENSITIES = {12, 25, 50, 100, 200};
+	/** Motors per µm²: the published range and fewer. */
+	private static final double[] DENSITIES = {3, 6, 12, 25, 50, 100};
 
 	/** Speed of the tip over motors at their default speed, µm/s. */
 	private static final double TIP_SPEED = 0.1;

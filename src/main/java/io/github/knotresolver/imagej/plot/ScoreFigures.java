@@ -54,7 +54,9 @@ public final class ScoreFigures {
 		if (errors.length > 0)
 			charts.put("position_error", histogram(errors));
 		final JFreeChart dice = perFrame(movies, "Dice index", "", CurveScore::dice);
-		dice.getXYPlot().getRangeAxis().setRange(0, 1.02);
+		final NumberAxis share = (NumberAxis) dice.getXYPlot().getRangeAxis();
+		share.setRange(0, 1.02);
+		share.setTickUnit(new NumberTickUnit(0.2));
 		charts.put("dice", dice);
 		final JFreeChart frechet = perFrame(movies, "Fréchet distance", "px", CurveScore::frechet);
 		final ValueMarker limit = new ValueMarker(CurveScore.RESOLVED_BELOW, ChartStyle.ACCENT,

@@ -67,15 +67,17 @@ public final class ScorePlots {
 	 *         gaps
 	 */
 	public static Plot frechet(final List<FrameScore> frames) {
-		return perFrame("evaluation-frechet", ChartStyle.label("Fréchet distance", "px"), frames,
-			CurveScore::frechet);
+		final Plot plot = perFrame("evaluation-frechet", ChartStyle.label("Fréchet distance", "px"),
+			frames, CurveScore::frechet);
+		plot.setLimits(Double.NaN, Double.NaN, 0, Double.NaN);
+		return plot;
 	}
 
 	private static Plot perFrame(final String title, final String label,
 		final List<FrameScore> frames, final ToDoubleFunction<CurveScore> figure) {
 		final Plot plot = new Plot(title, "Frame", label);
 		plot.setColor(ChartStyle.LINE);
-		plot.add("connected circle", frames.stream().mapToDouble(FrameScore::frame).toArray(),
+		plot.add("connected", frames.stream().mapToDouble(FrameScore::frame).toArray(),
 			frames.stream().map(FrameScore::score).mapToDouble(figure)
 				.map(v -> Double.isFinite(v) ? v : Double.NaN).toArray());
 		return plot;
