@@ -99,12 +99,13 @@ public final class OptionText {
 	 * @param key the option's name
 	 * @param text what was typed
 	 * @param choices the enumeration to choose from
-	 * @return the constant of that name, in any case
+	 * @return the constant of that name, in any case, with _ or -
 	 */
 	public static <E extends Enum<E>> E choice(final String key, final String text,
 		final Class<E> choices) {
+		final String name = text.strip().replace('-', '_');
 		for (final E constant : choices.getEnumConstants())
-			if (constant.name().equalsIgnoreCase(text.strip()))
+			if (constant.name().equalsIgnoreCase(name))
 				return constant;
 		throw refusal(
 			key, Arrays.stream(choices.getEnumConstants())

@@ -112,6 +112,7 @@ public final class ParametersJson {
 		json.put("iterations", p.segmentation().iterations());
 		json.put("contraction_bias", p.segmentation().contractionBias());
 		json.put("smooth_factor", p.segmentation().smoothFactor());
+		json.put("segmentation", label(p.segmentation().steps()));
 		json.put("log_size", p.cleaning().enhances() ? p.cleaning().logSize() : null);
 		json.put("log_sigma", p.cleaning().enhances() ? p.cleaning().logSigma() : null);
 		json.put("candidates", label(p.candidates()));
