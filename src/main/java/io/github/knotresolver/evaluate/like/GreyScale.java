@@ -35,8 +35,10 @@ record GreyScale(BitDepth depth, double black, double step) {
 		return (value - black) / step;
 	}
 
-	/** @return the movie's grey values for a difference of drawn ones */
-	double difference(final double drawn) {
-		return drawn * step;
+	/** @return the same look in the movie's own grey values */
+	Appearance undone(final Appearance drawn) {
+		return new Appearance(black + step * drawn.background(), step * drawn.noise(),
+			step * drawn.noiseOnLine(), step * drawn.peak(), drawn.width(), drawn.saturating(),
+			drawn.profile(), drawn.along(), drawn.range());
 	}
 }

@@ -173,7 +173,8 @@ public final class LikeStudy {
 	private LikeTraits traits(final SimulatedMovie simulated, final Progress progress) {
 		final List<Optional<Polyline>> truth = simulated.truth().stream().map(Optional::of)
 			.toList();
-		final Appearance own = AppearanceMeter.of(simulated.movie(), truth, progress);
+		final Appearance own = GreyScale.of(source.movie(), look.range())
+			.undone(AppearanceMeter.of(simulated.movie(), truth, progress));
 		return LikeTraits.of(simulated.movie(), truth, own, Motion.of(truth, look.width()));
 	}
 

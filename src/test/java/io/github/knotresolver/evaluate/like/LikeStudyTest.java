@@ -9,6 +9,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
+import net.imglib2.Cursor;
+import net.imglib2.img.Img;
+import net.imglib2.img.array.ArrayImgs;
+import net.imglib2.type.numeric.RealType;
+import net.imglib2.type.numeric.real.FloatType;
+import net.imglib2.view.Views;
+
 import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.CancelledProgress;
@@ -21,6 +28,7 @@ import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.simulate.BitDepth;
 import io.github.knotresolver.simulate.Canvas;
+import io.github.knotresolver.simulate.Clamp;
 import io.github.knotresolver.simulate.FilamentSimulator;
 import io.github.knotresolver.simulate.OpticalRenderer;
 import io.github.knotresolver.simulate.Optics;
@@ -96,6 +104,26 @@ class LikeStudyTest {
 		final double tolerance) {
 		final double yours = result.traits().values().get(quantity);
 		assertEquals(yours, result.simulated(quantity), tolerance * yours + 1e-9, quantity);
+	}
+
+	@Test
+	void greyValuesThatAreRealNumbersComeBackToo() {
+		final SimulatedMovie user = user();
+		final Img<FloatType> real = ArrayImgs.floats(user.movie().width(), user.movie().height(),
+			user.movie().size());
+		final Cursor<? extends RealType<?>> grey = Views.flatIterable(user.movie().frames())
+			.cursor();
+		for (final FloatType value : real)
+			value.setReal(0.001 * grey.next().getRealDouble());
+		final LikeStudy study = new LikeStudy(
+			source(new SimulatedMovie(
+				new Movie("real.tif", real, user.movie().calibration()), user.truth()), 2),
+			(m, p, progress) -> stub(m, p), Progress.NONE);
+		final LikeResult result = study.run(1, 1, Progress.NONE);
+		assertTrue(result.traits().values().get("peak over background [grey]") < 1);
+		assertAlike(result, "background [grey]", 0.02);
+		assertAlike(result, "peak over background [grey]", 0.08);
+		assertAlike(result, "noise [grey]", 0.08);
 	}
 
 	@Test
