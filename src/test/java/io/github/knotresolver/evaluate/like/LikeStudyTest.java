@@ -116,8 +116,8 @@ class LikeStudyTest {
 		for (final FloatType value : real)
 			value.setReal(0.001 * grey.next().getRealDouble());
 		final LikeStudy study = new LikeStudy(
-			source(new SimulatedMovie(
-				new Movie("real.tif", real, user.movie().calibration()), user.truth()), 2),
+			source(new SimulatedMovie(new Movie("real.tif", real, user.movie().calibration()),
+				user.truth()), 2),
 			(m, p, progress) -> stub(m, p), Progress.NONE);
 		final LikeResult result = study.run(1, 1, Progress.NONE);
 		assertTrue(result.traits().values().get("peak over background [grey]") < 1);
