@@ -4,6 +4,7 @@ import java.awt.image.RenderedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 
 import javax.imageio.ImageIO;
 
@@ -29,6 +30,7 @@ public final class ResultWriter {
 	private final Resolution resolution;
 	private final InputOptions input;
 	private final RoiConverter rois;
+	private final Optional<Path> file;
 
 	/**
 	 * @param result a measured result
@@ -41,6 +43,7 @@ public final class ResultWriter {
 		this.resolution = result.resolution();
 		this.input = input;
 		this.rois = RoiConverter.forImage(image, input.channel());
+		this.file = ImageFile.of(image);
 	}
 
 	/**
@@ -73,7 +76,7 @@ public final class ResultWriter {
 		ContoursCsv.write(folder.resolve(ContoursCsv.FILE), result);
 		FramesCsv.write(folder.resolve(FramesCsv.FILE), result);
 		SummaryCsv.write(folder.resolve(SummaryCsv.FILE), result, input);
-		ParametersJson.write(folder.resolve(ParametersJson.FILE), resolution, input);
+		ParametersJson.write(folder.resolve(ParametersJson.FILE), resolution, input, file);
 		OriginalFiles.writeContours(folder.resolve(OriginalFiles.CONTOURS), result);
 		OriginalFiles.writeStatistics(folder.resolve(OriginalFiles.STATISTICS), result);
 	}

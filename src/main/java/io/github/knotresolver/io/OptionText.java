@@ -27,8 +27,18 @@ public final class OptionText {
 	 * @return a finite number
 	 */
 	public static double number(final String key, final String text) {
+		return number(key, text, "a number");
+	}
+
+	/**
+	 * @param key the option's name
+	 * @param text what was typed
+	 * @param expected what it must be
+	 * @return a finite number
+	 */
+	public static double number(final String key, final String text, final String expected) {
 		if (!NUMBER.matcher(text.strip()).matches() || Double.isInfinite(Double.parseDouble(text)))
-			throw refusal(key, "a number", text);
+			throw refusal(key, expected, text);
 		return Double.parseDouble(text);
 	}
 
