@@ -93,11 +93,16 @@ public class MeasureContoursCommand extends KnotCommand {
 	private ContourInput contours() {
 		if (result != null)
 			return ContourInput.read(result.toPath());
-		return RoiContours.read(RoiManager.getRawInstance(), WindowManager.getCurrentImage());
+		// Without a display there is no ROI Manager; in a batch macro it is another one.
+		final RoiManager manager = GraphicsEnvironment.isHeadless()
+			? RoiManager.getRawInstance()
+			: RoiManager.getInstance2();
+		return RoiContours.read(manager, WindowManager.getCurrentImage());
 	}
 
 	private static void show(final MovieMeasurements m) {
 		LivePlots.table(m).show(m.name() + "-measurements");
+		LivePlots.series(m, Quantity.END_TO_END).show();
 		LivePlots.series(m, Quantity.LENGTH).show();
 		LivePlots.series(m, Quantity.TIP_ANGLE).show();
 		if (m.dominantFrequency(Quantity.TIP_ANGLE).isPresent())

@@ -10,6 +10,7 @@ import javax.imageio.ImageIO;
 
 import ij.ImagePlus;
 import ij.io.FileSaver;
+import io.github.knotresolver.imagej.plot.AnimatedOverlay;
 import io.github.knotresolver.imagej.plot.Figures;
 import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.FramesCsv;
@@ -25,6 +26,9 @@ import io.github.knotresolver.progress.Progress;
 
 /** Writes all files of a result. */
 public final class ResultWriter {
+
+	/** Speed of the film. */
+	private static final double FRAMES_PER_SECOND = 8;
 
 	private final MeasuredResolution result;
 	private final Resolution resolution;
@@ -89,8 +93,10 @@ public final class ResultWriter {
 
 	private void writeOverlay(final Path folder, final boolean plots, final Progress progress)
 		throws IOException {
-		Files.write(folder.resolve("overlay.tif"),
-			new FileSaver(OverlayRenderer.stack(resolution)).serialize());
+		final ImagePlus overlay = OverlayRenderer.stack(resolution);
+		Files.write(folder.resolve("overlay.tif"), new FileSaver(overlay).serialize());
+		if (plots)
+			AnimatedOverlay.write(folder.resolve("overlay.avi"), overlay, FRAMES_PER_SECOND);
 		progress.checkCancelled();
 		writePng(folder.resolve("montage.png"), Montage.of(resolution));
 		progress.checkCancelled();

@@ -32,7 +32,7 @@ public final class RoiContours {
 		final TreeMap<Integer, Polyline> contours = new TreeMap<>();
 		for (final Roi roi : manager == null ? new Roi[0] : manager.getRoisAsArray())
 			if (isLine(roi))
-				add(contours, roi);
+				add(contours, roi, frame(roi, image));
 		if (contours.isEmpty())
 			throw new IllegalArgumentException(
 				"There is no polyline in the ROI Manager; resolve a movie first, or name a result with result=FOLDER.");
@@ -41,15 +41,25 @@ public final class RoiContours {
 		for (int frame = 1; frame <= frames; frame++)
 			all.add(Optional.ofNullable(contours.get(frame)));
 		return new ContourInput(image == null ? "contours" : image.getTitle(), all,
-			image == null ? Calibration.NONE : ImageCalibration.of(image));
+			image == null ? Calibration.NONE : ImageCalibration.of(image), 0);
 	}
 
 	private static boolean isLine(final Roi roi) {
 		return roi.getType() == Roi.POLYLINE || roi.getType() == Roi.FREELINE;
 	}
 
-	private static void add(final TreeMap<Integer, Polyline> contours, final Roi roi) {
-		final int frame = roi.getTPosition() > 0 ? roi.getTPosition() : roi.getPosition();
+	/** In an image whose slices stand for time, the frame is the slice. */
+	private static int frame(final Roi roi, final ImagePlus image) {
+		final boolean slices = image != null && image.getNFrames() == 1;
+		final int told = slices ? roi.getZPosition() : roi.getTPosition();
+		if (told > 0 || roi.getPosition() < 1 || image == null || image.getNChannels() == 1)
+			return Math.max(told, roi.getPosition());
+		final int[] place = image.convertIndexToPosition(roi.getPosition());
+		return slices ? place[1] : place[2];
+	}
+
+	private static void add(final TreeMap<Integer, Polyline> contours, final Roi roi,
+		final int frame) {
 		if (frame < 1)
 			throw new IllegalArgumentException("The ROI '" + roi.getName()
 				+ "' stands on no frame; set one with More > Properties in the ROI Manager.");
@@ -72,6 +82,6 @@ public final class RoiContours {
 	}
 
 	private static int frames(final ImagePlus image) {
-		return image.getNFrames() > 1 ? image.getNFrames() : image.getStackSize();
+		return image.getNFrames() > 1 ? image.getNFrames() : image.getNSlices();
 	}
 }

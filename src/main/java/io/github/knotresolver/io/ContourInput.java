@@ -34,9 +34,11 @@ import io.github.knotresolver.geometry.Polyline;
  *          frame has none
  * @param calibration units as far as the files tell them, else pixels and
  *          frames
+ * @param lengthErrorPx standard error of the length that all contours have in
+ *          common, in pixels; 0 if it is not known
  */
-public record ContourInput(String name, List<Optional<Polyline>> contours,
-	Calibration calibration) {
+public record ContourInput(String name, List<Optional<Polyline>> contours, Calibration calibration,
+	double lengthErrorPx) {
 
 	private static final int MOST_FRAMES = 1_000_000;
 
@@ -63,7 +65,7 @@ public record ContourInput(String name, List<Optional<Polyline>> contours,
 			? original(path, records)
 			: ContoursCsv.read(path);
 		return new ContourInput(stem(path), frames(path, contours, 0),
-			original ? Calibration.NONE : unit(path, records));
+			original ? Calibration.NONE : unit(path, records), 0);
 	}
 
 	private static ContourInput folder(final Path folder) {
@@ -74,10 +76,12 @@ public record ContourInput(String name, List<Optional<Polyline>> contours,
 		final Path table = folder.resolve(FramesCsv.FILE);
 		final int count = Files.isRegularFile(table) ? CsvFile.read(table).size() - 1 : 0;
 		final Calibration units = unit(file, CsvFile.read(file));
+		final String name = folder.toAbsolutePath().normalize().getFileName().toString();
+		final List<Optional<Polyline>> frames = frames(file, ContoursCsv.read(file), count);
 		final Path json = folder.resolve(ParametersJson.FILE);
-		return new ContourInput(folder.toAbsolutePath().normalize().getFileName().toString(),
-			frames(file, ContoursCsv.read(file), count),
-			Files.isRegularFile(json) ? calibration(json, units) : units);
+		return Files.isRegularFile(json)
+			? told(name, frames, json, units)
+			: new ContourInput(name, frames, units, 0);
 	}
 
 	private static List<Optional<Polyline>> frames(final Path file,
@@ -140,7 +144,9 @@ public record ContourInput(String name, List<Optional<Polyline>> contours,
 			: new Calibration(sum / sumPx, units.iterator().next(), 1, Calibration.NONE.timeUnit());
 	}
 
-	private static Calibration calibration(final Path json, final Calibration units) {
+	/** Contours of which {@code parameters.json} tells more. */
+	private static ContourInput told(final String name, final List<Optional<Polyline>> frames,
+		final Path json, final Calibration units) {
 		try (Reader reader = Files.newBufferedReader(json, StandardCharsets.UTF_8)) {
 			final JsonObject root = JsonParser.parseReader(reader).getAsJsonObject();
 			// Results keep their options apart, measurements do not.
@@ -150,8 +156,12 @@ public record ContourInput(String name, List<Optional<Polyline>> contours,
 			final String time = options.has("time_unit")
 				? options.get("time_unit").getAsString()
 				: interval.isPresent() ? "s" : Calibration.NONE.timeUnit();
-			return new Calibration(size.orElse(units.pixelSize()), units.unit(),
+			final Calibration c = new Calibration(size.orElse(units.pixelSize()), units.unit(),
 				interval.orElse(1.0), time);
+			final double error = root.has("found")
+				? number(root.getAsJsonObject("found"), "length_uncertainty").orElse(0.0)
+				: 0;
+			return new ContourInput(name, frames, c, error / c.pixelSize());
 		} catch (final IOException | JsonParseException | IllegalStateException | ClassCastException
 			| NumberFormatException e) {
 			throw new IllegalArgumentException(

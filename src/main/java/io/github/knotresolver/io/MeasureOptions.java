@@ -54,7 +54,7 @@ public final class MeasureOptions {
 	public MovieMeasurements measure(final ContourInput contours, final Progress progress) {
 		final Calibration c = calibration(contours.calibration());
 		return MovieMeasurements.of(contours.name(), contours.contours(), c, smoothing(contours, c),
-			stiffness(), progress);
+			stiffness(), contours.lengthErrorPx() * c.pixelSize(), progress);
 	}
 
 	private Calibration calibration(final Calibration told) {
@@ -70,16 +70,15 @@ public final class MeasureOptions {
 
 	private Optional<Smoothing> smoothing(final ContourInput contours, final Calibration c) {
 		final Optional<Double> window = positive("smoothing_window");
-		final boolean ordered = given.containsKey("smoothing_order");
-		if (window.isEmpty() && !ordered)
+		final int order = given.containsKey("smoothing_order")
+			? OptionText.wholeNumber("smoothing_order", given.get("smoothing_order"))
+			: Smoothing.DEFAULT_ORDER;
+		if (window.isEmpty() && order == Smoothing.DEFAULT_ORDER)
 			return Optional.empty();
 		final double width = window.orElseGet(() -> Smoothing
 			.derivedFrom(contours.contours().stream().flatMap(Optional::stream).toList(), c)
 			.window());
-		return Optional.of(new Smoothing(width,
-			ordered
-				? OptionText.wholeNumber("smoothing_order", given.get("smoothing_order"))
-				: Smoothing.DEFAULT_ORDER));
+		return Optional.of(new Smoothing(width, order));
 	}
 
 	private Rigidity stiffness() {

@@ -39,12 +39,17 @@ public record MeasuredResolution(Resolution resolution, Optional<MovieMeasuremen
 				.map(f -> new MeasuredFrame(f, Optional.empty())).toList());
 		final MovieMeasurements measurements = MovieMeasurements.of(resolution.movie().name(),
 			contours, resolution.movie().calibration(), Optional.empty(), Rigidity.UNKNOWN,
-			progress);
+			lengthError(resolution), progress);
 		return new MeasuredResolution(resolution, Optional.of(measurements),
 			IntStream.range(0, contours.size())
 				.mapToObj(i -> new MeasuredFrame(resolution.frames().get(i),
 					Optional.of(measurements.frames().get(i))))
 				.toList());
+	}
+
+	private static double lengthError(final Resolution resolution) {
+		final double error = resolution.lengthUncertainty();
+		return Double.isFinite(error) ? error * resolution.movie().calibration().pixelSize() : 0;
 	}
 
 	/** @return units of length and time */

@@ -17,31 +17,39 @@ final class BendingIntegral {
 	private final Samples raw;
 	private final double[] curvature;
 	private final double[] variance;
+	private final double[] crossed;
 	private final CurvatureWeights weights;
 	private final SmoothingBias bias;
 
 	BendingIntegral(final Samples raw, final double[] curvature, final double[] variance,
-		final CurvatureWeights weights, final SmoothingBias bias) {
+		final double[] crossed, final CurvatureWeights weights, final SmoothingBias bias) {
 		this.raw = raw;
 		this.curvature = curvature;
 		this.variance = variance;
+		this.crossed = crossed;
 		this.weights = weights;
 		this.bias = bias;
 	}
 
-	/** @param noise variance of a point, inflated for correlation */
-	Estimate measured(final double noise, final double window) {
+	/**
+	 * @param square variance of a point
+	 * @param alike how many points have one point's error
+	 * @param window width of the smoothing
+	 */
+	Estimate measured(final double square, final double alike, final double window) {
+		final double noise = square * alike;
 		final int n = raw.size();
 		final int first = nearest(window / 2), last = nearest(raw.length() - window / 2);
 		final double[] influence = new double[n];
-		double energy = 0, straight = 0, smoothed = 0, seen = 0;
+		double energy = 0, straight = 0, smoothed = 0, seen = 0, taken = 0;
 		for (int i = 0; i < n; i++) {
 			final int c = Math.max(first, Math.min(last, i));
-			final double ds = step(i), k = curvature[c], v = noise * variance[c];
+			final double ds = step(i), k = curvature[c], v = variance[c];
 			energy += (k * k - v) * ds / 2;
 			seen += k * k * ds / 2;
+			taken += (v / 2 + crossed[c]) * ds;
 			straight += v * v * ds * ALIKE * window / 2;
-			smoothed += k * bias.curvatureDifference(c) * ds;
+			smoothed += (k * bias.curvatureDifference(c) - crossed[c]) * ds;
 			weights.add(c, k * ds, influence);
 			influence[i] += k * k * k * ds / 2;
 		}
@@ -52,8 +60,10 @@ final class BendingIntegral {
 		bent *= seen > 0 ? Math.max(0, energy / seen) : 0;
 		final double ends = Math.hypot(endError(first, nearest(window), window),
 			endError(last, nearest(raw.length() - window), window));
+		// The noise that is taken off is itself known from few independent errors.
+		final double guessed = taken * taken * 2 * alike / n;
 		return new Estimate(energy + smoothed,
-			Math.sqrt(bent + straight + smoothed * smoothed / 4 + ends * ends));
+			Math.sqrt(bent + straight + smoothed * smoothed / 4 + ends * ends + guessed));
 	}
 
 	/** What a change of curvature inside the last half window would make. */

@@ -22,9 +22,6 @@ import io.github.knotresolver.geometry.Polyline;
  */
 public final class ContourGeometry {
 
-	/** A window holds at least this many points more than the order. */
-	private static final int SPARE_POINTS = 2;
-
 	private final Smoothing smoothing;
 	private final double pixelSize;
 	private final double[] arcLength;
@@ -34,19 +31,23 @@ public final class ContourGeometry {
 	private final double[] curvature;
 	private final CurveNoise noise;
 	private final Estimate bending;
+	private final double[][] shift;
 
-	private ContourGeometry(final SmoothedCurve curve, final Smoothing smoothing,
-		final double pixelSize) {
+	ContourGeometry(final SmoothedContour contour, final Smoothing smoothing,
+		final double pixelSize, final ErrorModel errors) {
+		final SmoothedCurve curve = contour.curve();
 		this.smoothing = smoothing;
 		this.pixelSize = pixelSize;
-
 		this.x = curve.x();
 		this.y = curve.y();
 		this.tangentAngle = curve.tangentAngle();
 		this.curvature = curve.curvature();
-		this.noise = curve.noise();
-		this.arcLength = curve.arcLength(noise.sigma() * noise.sigma() * noise.inflation());
-		this.bending = curve.bending(noise,
+		this.noise = errors.noise(contour);
+		this.shift = curve.shift();
+		this.arcLength = errors.held()
+			? curve.arcLength()
+			: curve.arcLength(noise.sigma(), errors.fit());
+		this.bending = curve.bending(noise, errors.fit(),
 			Math.min(smoothing.window(), arcLength[arcLength.length - 1]));
 	}
 
@@ -80,17 +81,9 @@ public final class ContourGeometry {
 	public static ContourGeometry of(final Polyline contourPx, final Calibration c,
 		final Smoothing smoothing) {
 		requireMeasurable(contourPx);
-		final Samples raw = Samples.of(contourPx, c.pixelSize());
-		final int order = Math.min(smoothing.order(), contourPx.size() - 1);
-		final double window = Math.min(smoothing.window(), raw.length());
-		// Noise makes a chain of points longer than its curve; the window is
-		// meant in lengths of the curve, so arc length is found first.
-		final double[] arc = SmoothedCurve.of(raw, window, order, order + SPARE_POINTS).arcLength();
-		final double width = Math.min(window, arc[arc.length - 1]);
-		final SmoothedCurve curve = SmoothedCurve
-			.of(raw.over(arc), width, order, order + SPARE_POINTS)
-			.withBias(width, order, order + SPARE_POINTS);
-		return new ContourGeometry(curve, smoothing, c.pixelSize());
+		final SmoothedContour contour = SmoothedContour.of(contourPx, c, smoothing);
+		return new ContourGeometry(contour, smoothing, c.pixelSize(),
+			ErrorModel.learn(List.of(contour), smoothing.order()));
 	}
 
 	/**
@@ -150,6 +143,14 @@ public final class ContourGeometry {
 	/** @return the noise of the points and the standard errors it causes */
 	public CurveNoise noise() {
 		return noise;
+	}
+
+	/**
+	 * What smoothing may have moved: columns, rows and speeds of the polynomial two
+	 * orders higher, less those of the curve.
+	 */
+	double[][] shift() {
+		return shift;
 	}
 
 	/**

@@ -38,9 +38,9 @@ public record FrameMeasurement(int frame, Optional<ContourGeometry> geometry, in
 
 	/** A frame with its contour's geometry. */
 	static FrameMeasurement of(final int frame, final ContourGeometry g, final int turns,
-		final Rigidity rigidity) {
+		final Rigidity rigidity, final double lengthError) {
 		final List<Point> crossings = Crossings.of(g.smoothedPx());
-		final Map<Quantity, Estimate> q = new FrameQuantities(g).measured();
+		final Map<Quantity, Estimate> q = new FrameQuantities(g, lengthError).measured();
 		q.put(Quantity.TIP_ANGLE, new Estimate(g.tipAngle() + 2 * Math.PI * turns,
 			q.get(Quantity.TIP_ANGLE).standardError()));
 		q.put(Quantity.BENDING_ENERGY, g.bendingIntegral().times(rigidity.value()));

@@ -18,15 +18,23 @@ final class FrameQuantities {
 	private final double[] angle;
 	private final double[] curvature;
 	private final CurveNoise noise;
+	private final double[][] shift;
+	private final double lengthError;
 	private final int last;
 
-	FrameQuantities(final ContourGeometry g) {
+	/**
+	 * @param lengthError standard error that all frames' lengths have in common, in
+	 *          the unit of length
+	 */
+	FrameQuantities(final ContourGeometry g, final double lengthError) {
 		x = g.x();
 		y = g.y();
 		s = g.arcLength();
 		angle = g.tangentAngle();
 		curvature = g.curvature();
 		noise = g.noise();
+		shift = g.shift();
+		this.lengthError = lengthError;
 		last = x.length - 1;
 	}
 
@@ -44,17 +52,23 @@ final class FrameQuantities {
 
 	/** δL = [t·δr] at the ends - ∫ κ n·δr ds. */
 	private Estimate length() {
-		double across = 0;
-		for (int i = 0; i <= last; i++)
+		double across = 0, stretch = 0;
+		for (int i = 0; i <= last; i++) {
 			across += Math.pow(curvature[i] * step(i), 2);
-		return new Estimate(s[last], noise.sigma() * Math.sqrt(2 + noise.inflation() * across));
+			stretch += shift[2][i] * step(i);
+		}
+		final double bends = noise.held() ? 0 : noise.inflation() * across;
+		return new Estimate(s[last],
+			Math.hypot(noise.sigma() * Math.sqrt(2 + bends), Math.hypot(lengthError, stretch)));
 	}
 
+	/** The tip slides along the curve with the length. */
 	private Estimate endToEnd() {
 		final double dx = x[last] - x[0], dy = y[last] - y[0];
 		final double d = Math.hypot(dx, dy);
 		final double towards = d > 0 ? Math.atan2(dy, dx) : angle[0];
-		return new Estimate(d, Math.hypot(endError(0, towards), endError(last, towards)));
+		return new Estimate(d, Math.hypot(endError(0, towards),
+			Math.hypot(endError(last, towards), lengthError * Math.cos(towards - angle[last]))));
 	}
 
 	/** Standard error of an end point in one direction. */
@@ -65,23 +79,49 @@ final class FrameQuantities {
 
 	private Estimate radiusOfGyration() {
 		final double length = s[last];
-		double mx = 0, my = 0;
-		for (int i = 0; i <= last; i++) {
-			mx += x[i] * step(i) / length;
-			my += y[i] * step(i) / length;
-		}
+		final double[] weight = new double[last + 1];
+		for (int i = 0; i <= last; i++)
+			weight[i] = step(i) / length;
+		final double mx = mean(x, weight), my = mean(y, weight);
 		double square = 0, across = 0;
 		for (int i = 0; i <= last; i++) {
 			final double cx = x[i] - mx, cy = y[i] - my;
-			square += (cx * cx + cy * cy) * step(i) / length;
+			square += (cx * cx + cy * cy) * weight[i];
 			final double normal = cy * Math.cos(angle[i]) - cx * Math.sin(angle[i]);
-			across += Math.pow(normal * step(i) / length, 2);
+			across += Math.pow(normal * weight[i], 2);
 		}
 		final double radius = Math.sqrt(square);
-		final double ends = Math.hypot(reach(0, mx, my) - square, reach(last, mx, my) - square)
-			/ (2 * length);
-		return new Estimate(radius,
-			noise.sigma() * Math.sqrt(noise.inflation() * across + ends * ends) / radius);
+		final double base = (reach(0, mx, my) - square) / (2 * length),
+			tip = (reach(last, mx, my) - square) / (2 * length);
+		final double random = noise.sigma()
+			* Math.sqrt(noise.inflation() * across + base * base + tip * tip);
+		return new Estimate(radius, Math.hypot(Math.hypot(random, lengthError * tip) / radius,
+			unsmoothedRadius(weight) - radius));
+	}
+
+	/** The radius of gyration of the polynomial two orders higher. */
+	private double unsmoothedRadius(final double[] weight) {
+		final double[] ux = new double[last + 1], uy = new double[last + 1],
+			w = new double[last + 1];
+		double total = 0;
+		for (int i = 0; i <= last; i++) {
+			ux[i] = x[i] + shift[0][i];
+			uy[i] = y[i] + shift[1][i];
+			w[i] = weight[i] * (1 + shift[2][i]);
+			total += w[i];
+		}
+		final double mx = mean(ux, w) / total, my = mean(uy, w) / total;
+		double square = 0;
+		for (int i = 0; i <= last; i++)
+			square += ((ux[i] - mx) * (ux[i] - mx) + (uy[i] - my) * (uy[i] - my)) * w[i] / total;
+		return Math.sqrt(square);
+	}
+
+	private static double mean(final double[] values, final double[] weight) {
+		double sum = 0;
+		for (int i = 0; i < values.length; i++)
+			sum += values[i] * weight[i];
+		return sum;
 	}
 
 	private double reach(final int i, final double mx, final double my) {

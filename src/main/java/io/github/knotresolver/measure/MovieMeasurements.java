@@ -49,7 +49,7 @@ public final class MovieMeasurements {
 	}
 
 	/**
-	 * Measures. The result does not depend on the number of threads.
+	 * Measures contours of which no more is known than their points.
 	 *
 	 * @param name what the movie is called
 	 * @param contoursPx one entry a frame, in pixels, fixed end first; empty where
@@ -65,22 +65,49 @@ public final class MovieMeasurements {
 	public static MovieMeasurements of(final String name, final List<Optional<Polyline>> contoursPx,
 		final Calibration c, final Optional<Smoothing> wanted, final Rigidity rigidity,
 		final Progress progress) {
+		return of(name, contoursPx, c, wanted, rigidity, 0, progress);
+	}
+
+	/**
+	 * Measures. The result does not depend on the number of threads.
+	 *
+	 * @param name what the movie is called
+	 * @param contoursPx one entry a frame, in pixels, fixed end first; empty where
+	 *          there is no contour
+	 * @param c calibration
+	 * @param wanted the smoothing; empty to derive it from all contours
+	 * @param rigidity for the bending energy
+	 * @param lengthError standard error of the length that the contours were held
+	 *          at, in the unit of length; 0 if they were not, or it is not known
+	 * @param progress told how far it is
+	 * @return the measurements
+	 * @throws IllegalArgumentException if no frame can be measured, or the
+	 *           rigidity's unit does not fit the calibration's
+	 */
+	public static MovieMeasurements of(final String name, final List<Optional<Polyline>> contoursPx,
+		final Calibration c, final Optional<Smoothing> wanted, final Rigidity rigidity,
+		final double lengthError, final Progress progress) {
 		requireContours(contoursPx);
 		rigidity.energyUnit(c);
 		final Smoothing smoothing = wanted.orElseGet(
 			() -> Smoothing.derivedFrom(contoursPx.stream().flatMap(Optional::stream).toList(), c));
 		progress.report("Measuring", 0);
-		final List<Optional<ContourGeometry>> geometries = IntStream.range(0, contoursPx.size())
+		final List<Optional<SmoothedContour>> smoothed = IntStream.range(0, contoursPx.size())
 			.parallel().mapToObj(i -> {
 				progress.checkCancelled();
 				return contoursPx.get(i).filter(ContourGeometry::isMeasurable)
-					.map(p -> ContourGeometry.of(p, c, smoothing));
+					.map(p -> SmoothedContour.of(p, c, smoothing));
 			}).toList();
+		final ErrorModel errors = ErrorModel
+			.learn(smoothed.stream().flatMap(Optional::stream).toList(), smoothing.order());
+		final List<Optional<ContourGeometry>> geometries = smoothed.parallelStream()
+			.map(s -> s.map(k -> new ContourGeometry(k, smoothing, c.pixelSize(), errors)))
+			.toList();
 		final int[] turns = Turns.between(geometries);
 		final List<FrameMeasurement> frames = IntStream.range(0, geometries.size()).parallel()
-			.mapToObj(
-				i -> geometries.get(i).map(g -> FrameMeasurement.of(i + 1, g, turns[i], rigidity))
-					.orElseGet(() -> FrameMeasurement.missing(i + 1)))
+			.mapToObj(i -> geometries.get(i)
+				.map(g -> FrameMeasurement.of(i + 1, g, turns[i], rigidity, lengthError))
+				.orElseGet(() -> FrameMeasurement.missing(i + 1)))
 			.toList();
 		progress.report("Measuring", 1);
 		return new MovieMeasurements(name, c, smoothing, rigidity, frames);

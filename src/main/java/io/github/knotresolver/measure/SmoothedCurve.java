@@ -8,14 +8,8 @@ final class SmoothedCurve {
 
 	/** How often in a window the bias is looked at. */
 	private static final int COMPARED = 8;
-	/** Smallest part of the noise that a residual is taken to show. */
-	private static final double LEAST_FREEDOM = 0.4;
-
-	/**
-	 * Angular frequency per window at which the filters for value, first and
-	 * second derivative pass most noise.
-	 */
-	private static final double VALUE_TURN = 3, SLOPE_TURN = 6, BEND_TURN = 8;
+	/** Farther out in its window a point counts as near an end. */
+	private static final double MIDDLE = 0.1;
 
 	private final Samples raw;
 	private final double windowPoints;
@@ -24,7 +18,9 @@ final class SmoothedCurve {
 	private final double[] speed;
 	private final double[] angle;
 	private final double[] curvature;
-	/** Variances of value, angle and curvature for unit noise. */
+	/** Place in the window, from its middle (0) to its end (1). */
+	private final double[] part;
+	/** Variances of value, angle and curvature for unit independent noise. */
 	private final double[][] variance;
 	private final SmoothingBias bias;
 	private final CurvatureWeights weights;
@@ -38,6 +34,7 @@ final class SmoothedCurve {
 		speed = new double[n];
 		angle = new double[n];
 		curvature = new double[n];
+		part = new double[n];
 		variance = new double[3][n];
 		bias = new SmoothingBias(raw, window);
 		weights = new CurvatureWeights(raw, order);
@@ -72,6 +69,7 @@ final class SmoothedCurve {
 				continue;
 			fit.fit(raw, w[0], w[1], raw.s(i), window / 2, -1);
 			final double dx = fit.x(1), dy = fit.y(1), v2 = dx * dx + dy * dy;
+			bias.shift(i, fit.x(0) - x[i], fit.y(0) - y[i], Math.sqrt(v2) - speed[i]);
 			bias.compare(i, Angles.nearest(Math.atan2(dy, dx), angle[i]) - angle[i],
 				fit.variance(1) / v2 - variance[1][i], //
 				(dx * fit.y(2) - dy * fit.x(2)) / (v2 * Math.sqrt(v2)) - curvature[i],
@@ -83,6 +81,8 @@ final class SmoothedCurve {
 	private void take(final int i, final int[] window, final LocalPolynomial fit) {
 		final double dx = fit.x(1), dy = fit.y(1);
 		final double v2 = dx * dx + dy * dy;
+		final double from = raw.s(window[0]), to = raw.s(window[1] - 1);
+		part[i] = to > from ? Math.abs(2 * raw.s(i) - from - to) / (to - from) : 0;
 		x[i] = fit.x(0);
 		y[i] = fit.y(0);
 		speed[i] = Math.sqrt(v2);
@@ -113,84 +113,94 @@ final class SmoothedCurve {
 
 	/** Integral of the speed, by the trapezoidal rule. */
 	double[] arcLength() {
-		return arcLength(0);
+		return integral(new double[speed.length]);
 	}
 
 	/**
 	 * Integral of the speed, by the trapezoidal rule, less the detours that noise
 	 * adds: half the variance of the tangent angle.
-	 *
-	 * @param noise variance of a point, inflated for correlation
 	 */
-	double[] arcLength(final double noise) {
+	double[] arcLength(final double sigma, final NoiseGain gain) {
+		return integral(variances(1, sigma, gain));
+	}
+
+	private double[] integral(final double[] detours) {
 		final double[] arc = new double[speed.length];
 		for (int i = 1; i < arc.length; i++)
 			arc[i] = arc[i - 1]
-				+ (raw.s(i) - raw.s(i - 1)) * (straight(i, noise) + straight(i - 1, noise)) / 2;
+				+ (raw.s(i) - raw.s(i - 1)) * (straight(i, detours) + straight(i - 1, detours)) / 2;
 		return arc;
 	}
 
-	private double straight(final int i, final double noise) {
-		return speed[i] * (1 - Math.min(0.1, noise * variance[1][i] / 2));
+	private double straight(final int i, final double[] detours) {
+		return speed[i] * (1 - Math.min(0.1, detours[i] / 2));
 	}
 
-	Estimate bending(final CurveNoise noise, final double window) {
-		final double inflated = noise.sigma() * noise.sigma() * noise.inflation();
-		return new BendingIntegral(raw, curvature, variance[2], weights, bias).measured(inflated,
-			window);
+	Estimate bending(final CurveNoise noise, final NoiseGain gain, final double window) {
+		final double[] crossed = new double[x.length];
+		for (int i = 0; i < crossed.length; i++)
+			crossed[i] = noise.sigma() * noise.sigma() * variance[2][i] * gain.ofProduct(part[i]);
+		return new BendingIntegral(raw, curvature, variances(2, noise.sigma(), gain), crossed,
+			weights, bias).measured(noise.sigma() * noise.sigma(), noise.inflation(), window);
 	}
 
-	/** The noise, from the points' distances across the curve. */
-	CurveNoise noise() {
-		final int n = x.length;
-		double square = 0, product = 0, leverage = 0, last = 0;
-		for (int i = 0; i < n; i++) {
-			final double across = (raw.y(i) - y[i]) * Math.cos(angle[i])
+	/** Columns, rows and speeds of the polynomial two orders higher, less these. */
+	double[][] shift() {
+		return bias.shift();
+	}
+
+	/** How many points a full window has. */
+	double windowPoints() {
+		return windowPoints;
+	}
+
+	/** Adds the residuals of the points away from the ends. */
+	void addResiduals(final Residuals pooled) {
+		int from = 0, to = x.length;
+		while (from < to && part[from] > MIDDLE)
+			from++;
+		while (to > from && part[to - 1] > MIDDLE)
+			to--;
+		pooled.add(across(), from, to);
+	}
+
+	/** Distances of the points across the curve. */
+	private double[] across() {
+		final double[] across = new double[x.length];
+		for (int i = 0; i < across.length; i++)
+			across[i] = (raw.y(i) - y[i]) * Math.cos(angle[i])
 				- (raw.x(i) - x[i]) * Math.sin(angle[i]);
-			square += across * across / n;
-			product += across * last / (n - 1);
-			leverage += variance[0][i] / n;
-			last = across;
-		}
-		final double rho = correlation(square, product, leverage);
-		final double inflation = (1 + rho) / (1 - rho);
-		final double sigma = Math.sqrt(square
-			/ Math.max(LEAST_FREEDOM, 1 - leverage * Math.pow(inflation(rho, SLOPE_TURN), 2)));
-		final double scale = sigma * Math.sqrt(inflation);
-		return new CurveNoise(sigma, inflation, roots(variance[0], scale),
-			bias.added(SmoothingBias.ANGLE, roots(variance[1], scale), scale),
-			bias.added(SmoothingBias.CURVATURE, roots(variance[2], scale), scale));
+		return across;
 	}
 
-	/**
-	 * Root of the noise's spectrum, relative to independent errors, where the
-	 * filter for a derivative listens.
-	 */
-	private double inflation(final double rho, final double turn) {
-		return Math.sqrt((1 - rho * rho)
-			/ (1 - 2 * rho * Math.cos(Math.min(Math.PI, turn / windowPoints)) + rho * rho));
+	/** Size of the errors, from the points' distances across the curve. */
+	double sigma(final NoiseGain gain) {
+		double square = 0, freedom = 0;
+		for (final double a : across())
+			square += a * a;
+		for (final double p : part)
+			freedom += gain.freedom(p);
+		return Math.sqrt(square / freedom);
 	}
 
-	/**
-	 * Correlation ρ of neighbouring errors, 0 to 0.8. With mean leverage l and
-	 * inflation g = (1 + ρ) / (1 - ρ), residuals have variance σ² (1 - l g) and
-	 * covariance σ² (ρ - l g) with their neighbours; the two give a quadratic
-	 * equation for 1 - ρ.
-	 */
-	private static double correlation(final double square, final double product,
-		final double leverage) {
-		if (square == 0)
-			return 0;
-		final double difference = square - product;
-		final double b = difference * (1 + leverage);
-		final double root = Math.sqrt(Math.max(0, b * b - 8 * square * leverage * difference));
-		return Math.max(0, Math.min(0.8, 1 - (b + root) / (2 * square)));
+	/** What errors of a size do to this curve. */
+	CurveNoise noise(final double sigma, final boolean held, final NoiseGain gain) {
+		return new CurveNoise(sigma, gain.along(), held, errors(0, sigma, gain),
+			bias.added(SmoothingBias.ANGLE, errors(1, sigma, gain), sigma, part, gain),
+			bias.added(SmoothingBias.CURVATURE, errors(2, sigma, gain), sigma, part, gain));
 	}
 
-	private static double[] roots(final double[] variances, final double scale) {
-		final double[] out = new double[variances.length];
+	private double[] errors(final int derivative, final double sigma, final NoiseGain gain) {
+		final double[] out = variances(derivative, sigma, gain);
 		for (int i = 0; i < out.length; i++)
-			out[i] = scale * Math.sqrt(variances[i]);
+			out[i] = Math.sqrt(out[i]);
+		return out;
+	}
+
+	private double[] variances(final int derivative, final double sigma, final NoiseGain gain) {
+		final double[] out = new double[x.length];
+		for (int i = 0; i < out.length; i++)
+			out[i] = sigma * sigma * variance[derivative][i] * gain.ofFit(derivative, part[i]);
 		return out;
 	}
 }

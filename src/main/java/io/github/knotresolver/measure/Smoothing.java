@@ -3,6 +3,7 @@ package io.github.knotresolver.measure;
 
 import java.util.Collection;
 import java.util.List;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
@@ -20,6 +21,15 @@ public record Smoothing(double window, int order) {
 	/** Cubic: bends and turns of bending are followed, ends stay calm. */
 	public static final int DEFAULT_ORDER = 3;
 
+	/** Neighbours within this many pixels are left out with a point. */
+	private static final double NEIGHBOURS_PX = 1.5;
+	/** Points this many pixels away do not err alike on a traced contour. */
+	private static final double FAR_PX = 5;
+	/** So much larger is the error of foretelling a point from far neighbours. */
+	private static final double HOPELESS = 6;
+	/** So many contours tell how alike errors are. */
+	private static final int CONTOURS = 60;
+
 	public Smoothing {
 		if (!(window > 0) || Double.isInfinite(window))
 			throw new IllegalArgumentException(
@@ -32,7 +42,7 @@ public record Smoothing(double window, int order) {
 	/**
 	 * The cubic smoothing that predicts points best which it has not seen:
 	 * cross-validation over the window's width, leaving out a point together with
-	 * its near neighbours (whose errors resemble its own). So the window follows
+	 * its near neighbours, as far as their errors resemble its own. So the window follows
 	 * the data: wide where points are noisy and the filament is straight, narrow
 	 * where they are exact or the filament is tightly bent. One window for all
 	 * contours of a movie makes their curvatures comparable. The width is that for
@@ -51,6 +61,34 @@ public record Smoothing(double window, int order) {
 		if (samples.isEmpty())
 			throw new IllegalArgumentException("None of the " + contoursPx.size()
 				+ " contours has three points or more, so there is nothing to smooth; check whether any frame was resolved.");
-		return new WindowChoice(samples, c.pixelSize()).best();
+		final WindowChoice choice = new WindowChoice(samples, c.pixelSize());
+		final List<Polyline> some = sample(contoursPx);
+		final Smoothing narrow = choice.best(NEIGHBOURS_PX * c.pixelSize());
+		if (narrow.errors(some, c).held())
+			return narrow;
+		final Smoothing wide = choice.best(FAR_PX * c.pixelSize());
+		// Where the filament itself bends too much to be foretold from afar, what
+		// looks like errors that are alike is the filament.
+		if (choice.error(wide, FAR_PX * c.pixelSize()) > HOPELESS
+			* choice.error(narrow, NEIGHBOURS_PX * c.pixelSize()))
+			return narrow;
+		final double alike = wide.errors(some, c).alike() * spacing(samples) / c.pixelSize();
+		return alike > NEIGHBOURS_PX ? choice.best(alike * c.pixelSize()) : narrow;
+	}
+
+	private ErrorModel errors(final List<Polyline> contoursPx, final Calibration c) {
+		return ErrorModel
+			.learn(contoursPx.stream().map(p -> SmoothedContour.of(p, c, this)).toList(), order);
+	}
+
+	private static List<Polyline> sample(final Collection<Polyline> contoursPx) {
+		final List<Polyline> all = contoursPx.stream().filter(ContourGeometry::isMeasurable)
+			.toList();
+		final int stride = (all.size() + CONTOURS - 1) / CONTOURS;
+		return IntStream.range(0, all.size() / stride).mapToObj(i -> all.get(i * stride)).toList();
+	}
+
+	private static double spacing(final List<Samples> contours) {
+		return contours.stream().mapToDouble(Samples::spacing).average().orElseThrow();
 	}
 }

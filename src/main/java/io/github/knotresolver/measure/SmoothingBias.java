@@ -18,6 +18,7 @@ final class SmoothingBias {
 	private final double[][] squares;
 	private final double[][] excess;
 	private final double[] curvatureDifference;
+	private final double[][] shift;
 
 	SmoothingBias(final Samples raw, final double window) {
 		this.raw = raw;
@@ -25,6 +26,7 @@ final class SmoothingBias {
 		squares = new double[2][raw.size()];
 		excess = new double[2][raw.size()];
 		curvatureDifference = new double[raw.size()];
+		shift = new double[3][raw.size()];
 	}
 
 	/** Differences at point {@code i}, and their variances for unit noise. */
@@ -43,6 +45,20 @@ final class SmoothingBias {
 			for (final double[] row : values)
 				row[to] = row[from];
 		curvatureDifference[to] = curvatureDifference[from];
+		for (final double[] row : shift)
+			row[to] = row[from];
+	}
+
+	/** Differences of column, row and speed at point {@code i}. */
+	void shift(final int i, final double x, final double y, final double speed) {
+		shift[0][i] = x;
+		shift[1][i] = y;
+		shift[2][i] = speed;
+	}
+
+	/** @return columns, rows and speeds of the higher order less the lower */
+	double[][] shift() {
+		return shift;
 	}
 
 	/** @return curvature of the higher order less that of the lower */
@@ -51,10 +67,12 @@ final class SmoothingBias {
 	}
 
 	/** @return the standard errors with the bias added in squares */
-	double[] added(final int what, final double[] errors, final double noise) {
+	double[] added(final int what, final double[] errors, final double sigma, final double[] part,
+		final NoiseGain gain) {
 		final double[] sums = new double[errors.length + 1];
 		for (int i = 0; i < errors.length; i++)
-			sums[i + 1] = sums[i] + squares[what][i] - noise * noise * excess[what][i];
+			sums[i + 1] = sums[i] + squares[what][i]
+				- sigma * sigma * excess[what][i] * gain.ofComparison(what + 1, part[i]);
 		final double[] out = new double[errors.length];
 		for (int i = 0; i < out.length; i++) {
 			final int[] w = raw.window(raw.s(i), window, 1);

@@ -11,8 +11,8 @@ import org.apache.commons.math3.stat.regression.SimpleRegression;
  * s, and the slope of its phase gives the wave speed, 2π f / (dφ/ds). Places
  * near the base that hardly move have no phase and are left out; the others
  * weigh by their amplitude. This is the Fourier analysis that is usual for
- * flagella (Riedel-Kruse, Hilfinger, Howard and Jülicher 2007,
- * doi:10.2976/1.2773861).
+ * flagella (Riedel-Kruse, Hilfinger, Howard and Jülicher 2007, How molecular
+ * motors shape the flagellar beat, HFSP Journal 1).
  *
  * @param frequency in 1/unit of time
  * @param speed in unit of length/unit of time; positive runs from the fixed end

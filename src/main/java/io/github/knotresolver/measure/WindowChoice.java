@@ -6,8 +6,6 @@ import java.util.List;
 /** Cross-validation of the smoothing's window. */
 final class WindowChoice {
 
-	/** Neighbours within this many pixels are left out with a point. */
-	private static final double GAP_PX = 1.5;
 	/** The narrowest window, in pixels: less is inside the microscope's blur. */
 	private static final double NARROWEST_PX = 8;
 	private static final double STEP = 1.2;
@@ -16,7 +14,7 @@ final class WindowChoice {
 	 * curvature of a cubic is (1/2)^(1/9) = 0.93 of it (Fan and Gijbels 1995,
 	 * doi:10.1111/j.2517-6161.1995.tb02034.x, ratio of adjusting constants); a
 	 * little less keeps the bias below the noise, so that standard errors hold
-	 * (Hall 1992, doi:10.1214/aos/1176348653).
+	 * (Hall 1992, Annals of Statistics 20, 695).
 	 */
 	private static final double NARROWER = 0.85;
 	/** Wider windows are not tried once the error has grown by this much. */
@@ -36,12 +34,13 @@ final class WindowChoice {
 		this.stride = Math.max(1, points / PREDICTIONS);
 	}
 
-	Smoothing best() {
+	/** @param gap neighbours within this distance are left out with a point */
+	Smoothing best(final double gap) {
 		final double widest = contours.stream().mapToDouble(Samples::length).max().orElseThrow();
 		final double narrowest = Math.min(widest, NARROWEST_PX * pixelSize);
 		double best = narrowest, least = Double.POSITIVE_INFINITY;
 		for (double w = narrowest; w <= widest * (1 + 1e-9); w *= STEP) {
-			final double error = predictionError(w);
+			final double error = predictionError(w, gap);
 			if (error > HOPELESS * least)
 				break;
 			if (error < least) {
@@ -52,14 +51,19 @@ final class WindowChoice {
 		return new Smoothing(Math.max(narrowest, best * NARROWER), ORDER);
 	}
 
+	/** Mean squared error of prediction with a smoothing that was chosen. */
+	double error(final Smoothing smoothing, final double gap) {
+		return predictionError(smoothing.window(), gap);
+	}
+
 	/** Mean squared distance, across the curve, from the prediction. */
-	private double predictionError(final double window) {
+	private double predictionError(final double window, final double gap) {
 		final LocalPolynomial fit = new LocalPolynomial(ORDER);
 		double sum = 0;
 		int n = 0, next = 0, seen = 0;
 		for (final Samples c : contours) {
 			for (; next < seen + c.size(); next += stride) {
-				final double e = error(c, next - seen, window, fit);
+				final double e = error(c, next - seen, window, gap, fit);
 				if (Double.isNaN(e))
 					continue;
 				sum += e;
@@ -71,9 +75,9 @@ final class WindowChoice {
 	}
 
 	/** NaN near an end, where prediction would be extrapolation. */
-	private double error(final Samples c, final int i, final double window,
+	private double error(final Samples c, final int i, final double window, final double gap,
 		final LocalPolynomial fit) {
-		final double gap = GAP_PX * pixelSize, s = c.s(i);
+		final double s = c.s(i);
 		final int[] w = c.window(s, window, 2 * ORDER + 4 + (int) (2 * gap / c.spacing()));
 		if (s - c.s(w[0]) < 2 * gap || c.s(w[1] - 1) - s < 2 * gap)
 			return Double.NaN;

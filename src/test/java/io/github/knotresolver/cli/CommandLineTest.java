@@ -35,7 +35,7 @@ import io.github.knotresolver.progress.Progress;
 class CommandLineTest {
 
 	private static final List<String> FILES = List.of("MTdata.csv", "RoiSet.zip", "contours.csv",
-		"frames.csv", "montage.png", "overlay.png", "overlay.tif", "parameters.json",
+		"frames.csv", "montage.png", "overlay.avi", "overlay.png", "overlay.tif", "parameters.json",
 		"statsSummary.txt", "summary.csv");
 
 	@TempDir
@@ -83,6 +83,7 @@ class CommandLineTest {
 	void withoutPlotsThereAreNone() throws IOException {
 		assertEquals(0, resolve(movie, "--no-plots").status);
 		assertFalse(names(out).contains("overlay.png"));
+		assertFalse(names(out).contains("overlay.avi"));
 		assertTrue(names(out).contains("montage.png"));
 	}
 

@@ -5,14 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
-import java.util.jar.JarEntry;
-import java.util.jar.JarOutputStream;
+import java.util.Map;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -74,10 +70,60 @@ class MacroTest {
 			Files.readString(all.resolve("knotted-filament/contours.csv")), log);
 	}
 
+	/** The original tool's contours, measured by macro and on the command line. */
+	@Test
+	void originalContoursAreMeasuredAlike() throws Exception {
+		final Path data = Files.writeString(home.resolve("MTdata.csv"), originalContours());
+		final Path macro = out("measured"), line = out("line");
+		final String log = macros("run(\"Measure Contours...\", \"result=[" + data
+			+ "] pixel_size=0.1 frame_interval=2 plots=false out=[" + macro + "]\");");
+		java(List.of(), "io.github.knotresolver.cli.KnotResolverMain", "measure", data.toString(),
+			"--pixel-size", "0.1", "--frame-interval", "2", "--no-plots", "--out", line.toString());
+		assertTrue(Files.exists(macro.resolve("frames.csv")), log);
+		for (final String file : List.of("frames.csv", "contours.csv", "oscillations.csv"))
+			assertEquals(Files.readString(line.resolve(file)),
+				Files.readString(macro.resolve(file)), file);
+		// 60 pixels of 0.1 µm.
+		assertEquals(6, Double.parseDouble(
+			Files.readAllLines(macro.resolve("frames.csv")).get(1).split(",")[2]), 1e-3);
+	}
+
+	/** Straight lines of 61 points in ten frames. */
+	private static String originalContours() {
+		final StringBuilder text = new StringBuilder();
+		for (int frame = 1; frame <= 10; frame++)
+			for (int i = 0; i <= 60; i++)
+				text.append(frame).append(',').append(10 + i).append(',').append(20 + frame)
+					.append('\n');
+		return text.toString();
+	}
+
+	@Test
+	void measuringNothingEndsWithOneSentence() throws Exception {
+		final Path csv = home.resolve("bad.csv");
+		assertMeasuringStops("There is no polyline in the ROI Manager", "");
+		Files.writeString(csv, "frame,index,x_px,y_px\n");
+		assertMeasuringStops("has no contour", "result=[" + csv + "]");
+		Files.writeString(csv, "1,1,1\n1,2,2\n");
+		assertMeasuringStops("None of the 1 frames has a contour of 3 points or more",
+			"result=[" + csv + "]");
+		Files.writeString(csv, "frame,index,x_px,y_px,x,y,unit\n1,0,1,1,1,1,µm\n1,1,2,2,2,2,nm\n");
+		assertMeasuringStops("mixes the units", "result=[" + csv + "]");
+	}
+
+	private void assertMeasuringStops(final String sentence, final String option) throws Exception {
+		assertAborts(sentence, "", "Measure Contours...", option);
+	}
+
 	private void assertStops(final String sentence, final String option) throws Exception {
+		assertAborts(sentence, "run(\"Knotted Filament\");", "Resolve Filament...", option);
+	}
+
+	private void assertAborts(final String sentence, final String before, final String command,
+		final String option) throws Exception {
 		final Path after = home.resolve("after.txt"), out = out("none");
-		final String log = macros("run(\"Knotted Filament\");",
-			"run(\"Resolve Filament...\", \"" + option + " out=[" + out + "]\");",
+		final String log = macros(before,
+			"run(\"" + command + "\", \"" + option + " out=[" + out + "]\");",
 			"File.saveString(\"on\", \"" + after + "\");");
 		assertTrue(log.contains(sentence), log);
 		assertFalse(log.contains("\tat "), log);
@@ -103,38 +149,11 @@ class MacroTest {
 	private String macro(final Path file, final String argument) throws Exception {
 		return java(
 			List.of("-Djava.awt.headless=true", "--add-opens=java.base/java.lang=ALL-UNNAMED",
-				"-Dplugins.dir=" + installMenu()),
+				"-Dplugins.dir=" + new MacroProcess(home).installMenu()),
 			"io.github.knotresolver.command.HeadlessMacroMain", file.toString(), argument);
 	}
 
-	/** A jar with the menu, as in a Fiji's plugins folder; the classes are on the path. */
-	private Path installMenu() throws IOException {
-		final Path folder = Files.createDirectories(home.resolve("plugins"));
-		try (
-			JarOutputStream jar = new JarOutputStream(
-				Files.newOutputStream(folder.resolve("KnotResolver_-test.jar")));
-			InputStream menu = CommandPlugIn.class.getResourceAsStream("/plugins.config")) {
-			jar.putNextEntry(new JarEntry("plugins.config"));
-			menu.transferTo(jar);
-			jar.closeEntry();
-		}
-		return home;
-	}
-
 	private String java(final List<String> options, final String... program) throws Exception {
-		final Path log = home.resolve("log.txt");
-		final List<String> command = new ArrayList<>(
-			List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-				"-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1"));
-		command.addAll(options);
-		command.addAll(List.of("-cp", System.getProperty("java.class.path")));
-		command.addAll(List.of(program));
-		final Process process = new ProcessBuilder(command).redirectErrorStream(true)
-			.redirectOutput(log.toFile()).start();
-		if (!process.waitFor(3, TimeUnit.MINUTES)) {
-			process.destroyForcibly();
-			throw new AssertionError("Still running: " + Files.readString(log));
-		}
-		return Files.readString(log);
+		return new MacroProcess(home).java(Map.of(), options, program);
 	}
 }

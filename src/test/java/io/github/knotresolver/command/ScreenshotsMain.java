@@ -161,7 +161,7 @@ final class ScreenshotsMain {
 	private void measure() throws Exception {
 		start("Measure Contours...");
 		press(dialog("Measure Contours..."), "  OK  ");
-		await("plots", () -> WindowManager.getImageCount() >= 5);
+		await("plots", () -> WindowManager.getImageCount() >= 6);
 		Thread.sleep(1500);
 		capture("measurements.png", new Rectangle(0, 0, 1440, 1000));
 	}

@@ -21,10 +21,10 @@ final class ChartStyle {
 	/** What stands out against {@link #LINE}. */
 	static final Color ACCENT = new Color(0xd5, 0x5e, 0x00);
 
-	private static final Font LABEL = new Font(Font.SANS_SERIF, Font.PLAIN, 18);
-	private static final Font TICK = new Font(Font.SANS_SERIF, Font.PLAIN, 15);
+	private static final Font LABEL = new Font(Font.SANS_SERIF, Font.PLAIN, 15);
+	private static final Font TICK = new Font(Font.SANS_SERIF, Font.PLAIN, 14);
 	private static final Color GRID = new Color(0xe0, 0xe0, 0xe0);
-	private static final double BAR = 16;
+	private static final double BAR = 12;
 
 	private ChartStyle() {
 	}
@@ -63,7 +63,7 @@ final class ChartStyle {
 		plot.setAxisOffset(RectangleInsets.ZERO_INSETS);
 		final JFreeChart chart = new JFreeChart(null, LABEL, plot, false);
 		chart.setBackgroundPaint(Color.WHITE);
-		chart.setPadding(new RectangleInsets(10, 10, 10, 18));
+		chart.setPadding(new RectangleInsets(6, 6, 6, 14));
 		return chart;
 	}
 
@@ -76,7 +76,7 @@ final class ChartStyle {
 		bar.setSubdivisionCount(200);
 		bar.setStripOutlineVisible(false);
 		bar.setBackgroundPaint(Color.WHITE);
-		bar.setMargin(10, 14, 48, 0);
+		bar.setMargin(6, 10, 42, 0);
 		chart.addSubtitle(bar);
 	}
 

@@ -47,8 +47,7 @@ final class KymographChart {
 		final ColourMap colours, final String label, final String unit) {
 		final double duration = k.frames() * k.interval(), extent = k.columns() * k.step();
 		final NumberAxis time = ChartStyle.axis("Time", m.calibration().timeUnit());
-		final NumberAxis place = ChartStyle.axis("Arc length from the fixed end",
-			m.calibration().unit());
+		final NumberAxis place = ChartStyle.axis("Arc length", m.calibration().unit());
 		// A frame fills the interval around its time, a place the step around it.
 		time.setRange(-k.interval() / 2, duration - k.interval() / 2);
 		place.setRange(-k.step() / 2, extent - k.step() / 2);

@@ -1,6 +1,7 @@
 package io.github.knotresolver.imagej.plot;
 
 import java.awt.BasicStroke;
+import java.awt.Color;
 import java.util.Locale;
 import java.util.Optional;
 
@@ -61,6 +62,7 @@ final class SpectrumChart {
 		final ValueMarker marker = new ValueMarker(f, ChartStyle.ACCENT, new BasicStroke(1.5f));
 		marker.setLabel(text(d, m));
 		marker.setLabelFont(ChartStyle.font());
+		marker.setLabelBackgroundColor(Color.WHITE);
 		final boolean left = f < highest / 2;
 		marker.setLabelAnchor(left ? RectangleAnchor.TOP_RIGHT : RectangleAnchor.TOP_LEFT);
 		marker.setLabelTextAnchor(left ? TextAnchor.TOP_LEFT : TextAnchor.TOP_RIGHT);
@@ -68,8 +70,7 @@ final class SpectrumChart {
 	}
 
 	private static String text(final DominantFrequency d, final MovieMeasurements m) {
-		return String.format(Locale.ROOT, " %.3g \u00b1 %.1g %s, false-alarm probability %.2g%s ",
-			d.frequency(), d.standardError(), m.frequencyUnit(), d.falseAlarmProbability(),
-			d.isSignificant() ? "" : " (may be noise)");
+		return String.format(Locale.ROOT, " %.3g \u00b1 %.1g %s, p = %.2g ", d.frequency(),
+			d.standardError(), m.frequencyUnit(), d.falseAlarmProbability());
 	}
 }

@@ -1,0 +1,118 @@
+
+package io.github.knotresolver.measure;
+
+import java.util.Collection;
+
+/**
+ * How alike the errors of points are that lie near each other on a contour.
+ * Points of a contour that was traced pixel by pixel err almost independently;
+ * those of a contour that was fitted to an image, or drawn as a spline, err
+ * together over a few pixels.
+ * <p>
+ * It is found by matching: the residuals of the smoothing, pooled over all
+ * contours of a movie, have an autocorrelation, and for any correlation of the
+ * errors the autocorrelation that the smoothing would leave is known exactly,
+ * because the smoothing is linear. Two shapes, exp(-d/range) as of a first-order
+ * autoregressive process and exp(-d²/(2 range²)) as of a smooth fit, are tried
+ * at ranges up to a quarter of the window: what is smoother than that looks like
+ * the filament itself and leaves no trace.
+ *
+ * @param gaussian whether it falls like a Gaussian, else exponentially
+ * @param range in steps between points; 0 for independent errors
+ */
+record ErrorCorrelation(boolean gaussian, double range) {
+
+	static final ErrorCorrelation NONE = new ErrorCorrelation(false, 0);
+
+	/** Lags that are compared. */
+	private static final int LAGS = 12;
+	private static final double FIRST_RANGE = 0.4, BLUR = 2, FACTOR = 1.12;
+	/** Longest range, in windows. */
+	private static final double LONGEST = 0.35;
+	/** Fewer residuals say nothing about their correlation. */
+	private static final int FEWEST = 30;
+
+	/** Correlation of points that are {@code steps} apart. */
+	double at(final double steps) {
+		if (range == 0)
+			return Math.abs(steps) < 0.5 ? 1 : 0;
+		final double d = steps / range;
+		return gaussian ? Math.exp(-d * d / 2) : Math.exp(-Math.abs(d));
+	}
+
+	/** Sum over all lags: how many points have one point's error. */
+	double sum() {
+		double sum = 1;
+		for (int k = 1; k <= 8 * range + 1; k++)
+			sum += 2 * at(k);
+		return sum;
+	}
+
+	/** Whether the errors are known to come from a fit. */
+	enum Kind {
+		/** Nothing is known. */
+		ANY(FIRST_RANGE, false, true),
+		/** Smooth, over whatever range. */
+		SMOOTH(FIRST_RANGE, true),
+		/** Of a fit to an image: smooth over the image's blur at least. */
+		FITTED(BLUR, true);
+
+		private final double shortest;
+		private final boolean[] shapes;
+
+		Kind(final double shortest, final boolean... shapes) {
+			this.shortest = shortest;
+			this.shapes = shapes;
+		}
+	}
+
+	/**
+	 * @param curves contours that were smoothed alike
+	 * @param filter the smoothing's filter away from the ends
+	 * @param kind what is known of the errors
+	 * @return the correlation that explains their residuals best
+	 */
+	static ErrorCorrelation of(final Collection<SmoothedCurve> curves, final LocalFilter filter,
+		final Kind kind) {
+		final Residuals pooled = new Residuals(LAGS);
+		for (final SmoothedCurve c : curves)
+			c.addResiduals(pooled);
+		final double[] seen = pooled.autocorrelation();
+		if (pooled.count() < FEWEST || seen[0] == 0)
+			return NONE;
+		final double[] response = filter.residualResponse();
+		ErrorCorrelation best = NONE;
+		double least = kind == Kind.FITTED
+			? Double.POSITIVE_INFINITY
+			: mismatch(seen, NONE, response);
+		for (double range = kind.shortest; range <= LONGEST * filter.points(); range *= FACTOR)
+			for (final boolean gaussian : kind.shapes) {
+				final ErrorCorrelation trial = new ErrorCorrelation(gaussian, range);
+				final double mismatch = mismatch(seen, trial, response);
+				if (mismatch < least) {
+					least = mismatch;
+					best = trial;
+				}
+			}
+		return best;
+	}
+
+	/**
+	 * @param response the filter's response correlated with itself, from lag
+	 *          {@code 1 - n} to {@code n - 1}
+	 */
+	private static double mismatch(final double[] seen, final ErrorCorrelation rho,
+		final double[] response) {
+		double first = 0, sum = 0;
+		for (int lag = 0; lag < seen.length; lag++) {
+			double expected = 0;
+			for (int l = 0; l < response.length; l++)
+				expected += response[l] * rho.at(lag - (l - response.length / 2));
+			if (lag == 0)
+				first = expected;
+			else
+				sum += Math.pow(seen[lag] / seen[0] - expected / first, 2);
+		}
+		return sum;
+	}
+}

@@ -1,0 +1,43 @@
+
+package io.github.knotresolver.measure;
+
+import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.geometry.Polyline;
+
+/**
+ * A contour, smoothed twice: as asked for, and over a window that is wide enough
+ * to see its noise.
+ *
+ * @param curve the smoothed curve
+ * @param wide the curve whose residuals tell the noise; the same if its window
+ *          is wide enough
+ * @param traced length of the chain of points
+ */
+record SmoothedContour(SmoothedCurve curve, SmoothedCurve wide, double traced) {
+
+	/**
+	 * Errors that are alike over the microscope's blur leave no residual in a
+	 * narrower window, in pixels.
+	 */
+	private static final double NOISE_WINDOW_PX = 12;
+	/** A window holds at least this many points more than the order. */
+	private static final int SPARE_POINTS = 2;
+
+	static SmoothedContour of(final Polyline contourPx, final Calibration c,
+		final Smoothing smoothing) {
+		final Samples raw = Samples.of(contourPx, c.pixelSize());
+		final int order = Math.min(smoothing.order(), contourPx.size() - 1);
+		final int least = order + SPARE_POINTS;
+		final double window = Math.min(smoothing.window(), raw.length());
+		// Noise makes a chain of points longer than its curve; the window is
+		// meant in lengths of the curve, so arc length is found first.
+		final double[] arc = SmoothedCurve.of(raw, window, order, least).arcLength();
+		final double length = arc[arc.length - 1], width = Math.min(window, length);
+		final Samples samples = raw.over(arc);
+		final SmoothedCurve curve = SmoothedCurve.of(samples, width, order, least).withBias(width,
+			order, least);
+		final double wide = Math.min(length, NOISE_WINDOW_PX * c.pixelSize());
+		return new SmoothedContour(curve,
+			wide > width ? SmoothedCurve.of(samples, wide, order, least) : curve, raw.length());
+	}
+}

@@ -1,0 +1,36 @@
+package io.github.knotresolver.command;
+
+import java.util.Map;
+
+import ij.IJ;
+import ij.ImageJ;
+import ij.WindowManager;
+import ij.plugin.frame.RoiManager;
+import io.github.knotresolver.imagej.RoiContours;
+import io.github.knotresolver.io.MeasureOptions;
+import io.github.knotresolver.progress.Progress;
+
+/** Runs a macro in plain ImageJ on a display: its file. */
+public final class WindowMacroMain {
+
+	private WindowMacroMain() {
+	}
+
+	/** Why the lines in the ROI Manager cannot be measured; for macros. */
+	public static String refusal() {
+		try {
+			MeasureOptions.parse(Map.of()).measure(
+				RoiContours.read(RoiManager.getInstance2(), WindowManager.getCurrentImage()),
+				Progress.NONE);
+			return "nothing is wrong";
+		} catch (final IllegalArgumentException e) {
+			return e.getMessage();
+		}
+	}
+
+	public static void main(final String[] args) {
+		new ImageJ(ImageJ.NO_SHOW);
+		IJ.runMacroFile(args[0]);
+		System.exit(0);
+	}
+}
