@@ -7,7 +7,6 @@ import java.nio.file.Path;
 
 import javax.imageio.ImageIO;
 
-import ij.ImagePlus;
 import ij.io.FileSaver;
 import io.github.knotresolver.imagej.plot.Figures;
 import io.github.knotresolver.io.ContoursCsv;
@@ -33,14 +32,14 @@ public final class ResultWriter {
 	/**
 	 * @param result a measured result
 	 * @param input how its movie was taken from the image
-	 * @param image the image, whose frames the ROIs are for
+	 * @param rois makes ROIs for that image
 	 */
 	public ResultWriter(final MeasuredResolution result, final InputOptions input,
-		final ImagePlus image) {
+		final RoiConverter rois) {
 		this.result = result;
 		this.resolution = result.resolution();
 		this.input = input;
-		this.rois = RoiConverter.forImage(image, input.channel());
+		this.rois = rois;
 	}
 
 	/**
