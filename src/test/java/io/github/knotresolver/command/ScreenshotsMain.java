@@ -83,7 +83,7 @@ final class ScreenshotsMain {
 			robot.keyRelease(key);
 			pause();
 		}
-		capture("menu.png", new Rectangle(0, 0, 700, 260));
+		capture("menu.png", new Rectangle(0, 0, 930, 320));
 		for (int i = 0; i < 4; i++) {
 			robot.keyPress(KeyEvent.VK_ESCAPE);
 			robot.keyRelease(KeyEvent.VK_ESCAPE);
