@@ -2,14 +2,20 @@ package io.github.knotresolver.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.SortedMap;
+import java.util.List;
 import java.util.concurrent.Callable;
 
 import io.github.knotresolver.evaluate.Evaluation;
-import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.io.ContoursCsv;
-import io.github.knotresolver.io.EvaluationCsv;
+import io.github.knotresolver.evaluate.like.LikeResult;
+import io.github.knotresolver.evaluate.like.LikeStudy;
+import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.imagej.LikeFolder;
+import io.github.knotresolver.imagej.LikeRun;
+import io.github.knotresolver.imagej.ScoreFiles;
 import io.github.knotresolver.io.EvaluationReport;
+import io.github.knotresolver.io.LikeReport;
+import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -17,46 +23,113 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code knotresolver evaluate}: a result against the truth. */
-@Command(name = "evaluate", mixinStandardHelpOptions = true, sortOptions = false, usageHelpAutoWidth = true, description = "Compares contours with the true ones: Dice index, Frechet distance, position and length errors.%n")
+/** {@code knotresolver evaluate}: a result against the truth, or against its like. */
+@Command(name = "evaluate", mixinStandardHelpOptions = true, sortOptions = false, usageHelpAutoWidth = true, customSynopsis = {
+	"knotresolver evaluate --truth TRUTH.csv --result CONTOURS.csv [--out FILE.csv] [--no-plots]",
+	"knotresolver evaluate --like RESULT_DIR [--movies N] [--seed N] [--movie FILE] [--out DIR] [--force] [--no-plots]"}, description = "Compares contours with the true ones: Dice index, Frechet distance, position and length errors. Or simulates movies that resemble a result's, resolves them alike and tells how often and how exactly that works.%n")
 final class EvaluateSubcommand implements Callable<Integer> {
 
 	@Spec
 	private CommandSpec spec;
 
-	@Option(names = "--truth", required = true, paramLabel = "TRUTH.csv", description = "True contours: frame,index,x_px,y_px; fixed end first.")
+	@Option(names = "--truth", paramLabel = "TRUTH.csv", description = "True contours: frame,index,x_px,y_px; fixed end first.")
 	private Path truth;
 
-	@Option(names = "--result", required = true, paramLabel = "CONTOURS.csv", description = "Contours to judge, likewise.")
+	@Option(names = "--result", paramLabel = "CONTOURS.csv", description = "Contours to judge, likewise.")
 	private Path result;
 
-	@Option(names = "--out", paramLabel = "FILE.csv", description = "Write the scores of every frame to this file.")
+	@Option(names = "--like", paramLabel = "RESULT_DIR", description = "Instead: a folder that 'resolve' wrote; movies like its own are simulated, resolved and scored.")
+	private Path like;
+
+	@Option(names = "--movies", paramLabel = "N", description = "Number of simulated movies, 1 to 1000; with --like [10].")
+	private Integer movies;
+
+	@Option(names = "--seed", paramLabel = "N", description = "Start of the random numbers; with --like [1].")
+	private Long seed;
+
+	@Option(names = "--movie", paramLabel = "FILE", description = "The movie that the result was made from; with --like [the file that the result tells].")
+	private Path movie;
+
+	@Option(names = "--out", paramLabel = "FILE.csv|DIR", description = "Write the scores of every frame to this file; with --like, write tables and figures to this folder.")
 	private Path out;
 
+	@Option(names = "--plots", negatable = true, defaultValue = "true", fallbackValue = "true", description = "With --out, draw figures, or not [on]; those of FILE.csv lie beside it.")
+	private boolean plots;
+
+	@Option(names = "--force", description = "Replace a folder that --like wrote earlier.")
+	private boolean force;
+
+	private final Engine engine;
 	private final Progress progress;
 
-	EvaluateSubcommand(final Progress progress) {
+	EvaluateSubcommand(final Engine engine, final Progress progress) {
+		this.engine = engine;
 		this.progress = progress;
 	}
 
 	@Override
 	public Integer call() throws IOException {
-		final Evaluation evaluation = evaluate();
-		if (out != null)
-			EvaluationCsv.write(out, evaluation);
-		EvaluationReport.lines(evaluation).forEach(spec.commandLine().getOut()::println);
+		check();
+		if (like == null)
+			againstTruth();
+		else
+			againstLike();
 		return ExitStatus.FINISHED;
 	}
 
-	private Evaluation evaluate() {
+	private void check() {
+		if (like != null && (truth != null || result != null))
+			throw refusal(
+				"--like stands alone: leave out --truth and --result, or --like to compare those.");
+		if (like == null && (truth == null || result == null))
+			throw refusal("Missing " + (truth == null ? "--truth TRUTH.csv" : "")
+				+ (truth == null && result == null ? " and " : "")
+				+ (result == null ? "--result CONTOURS.csv" : "")
+				+ "; or give --like RESULT_DIR alone.");
+		if (like == null && (movies != null || seed != null || movie != null || force))
+			throw refusal("--movies, --seed, --movie and --force go with --like RESULT_DIR only.");
+	}
+
+	private ParameterException refusal(final String sentence) {
+		return new ParameterException(spec.commandLine(), sentence,
+			new IllegalArgumentException(sentence));
+	}
+
+	private void againstTruth() throws IOException {
+		final Evaluation evaluation;
 		try {
-			final SortedMap<Integer, Polyline> expected = ContoursCsv.read(truth);
-			final SortedMap<Integer, Polyline> contours = ContoursCsv.read(result);
 			if (out != null)
-				EvaluationCsv.requireWritable(out);
-			return Evaluation.of(expected, contours, progress);
+				ScoreFiles.requireWritable(out);
+			evaluation = Evaluation.of(TruthCsv.read("truth", truth),
+				TruthCsv.read("result", result), progress);
 		} catch (final IllegalArgumentException e) {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
 		}
+		if (out != null)
+			ScoreFiles.write(out, evaluation, plots, progress);
+		print(EvaluationReport.lines(evaluation));
+	}
+
+	private void againstLike() throws IOException {
+		final LikeStudy study;
+		final int count = movies == null ? LikeStudy.MOVIES : movies;
+		try {
+			LikeStudy.check(count);
+			if (out != null)
+				ResultFolder.check(out, force);
+			study = LikeRun.study(LikeRun.source(like, movie), engine, progress);
+		} catch (final IllegalArgumentException e) {
+			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+		}
+		final LikeResult scores = study.run(count, seed == null ? 1 : seed, progress);
+		if (out != null)
+			LikeFolder.write(study, scores, out, force, plots, progress);
+		print(LikeReport.lines(scores));
+		if (out != null)
+			spec.commandLine().getOut().println("Written to " + out + ".");
+	}
+
+	private void print(final List<String> lines) {
+		lines.forEach(spec.commandLine().getOut()::println);
 	}
 }

@@ -5,6 +5,7 @@ import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 
 import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.io.OptionText;
 import io.github.knotresolver.io.ProgramVersion;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
@@ -12,6 +13,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
@@ -71,7 +73,7 @@ public final class KnotResolverMain implements Runnable {
 			.addSubcommand(new BatchSubcommand(engine, progress))
 			.addSubcommand(new MeasureSubcommand(progress))
 			.addSubcommand(new SimulateSubcommand(progress))
-			.addSubcommand(new EvaluateSubcommand(progress))
+			.addSubcommand(new EvaluateSubcommand(engine, progress))
 			.setCaseInsensitiveEnumValuesAllowed(true);
 		line.setOut(out).setErr(err);
 		line.setParameterExceptionHandler((e, a) -> refuse(err, e));
@@ -95,6 +97,11 @@ public final class KnotResolverMain implements Runnable {
 	}
 
 	private static int refuse(final PrintWriter err, final ParameterException e) {
+		if (e.getValue() != null && e.getArgSpec() instanceof OptionSpec option)
+			return oneLine(err,
+				OptionText.refusal(option.longestName(), ValueKind.of(option.type()), e.getValue())
+					.getMessage(),
+				ExitStatus.USAGE);
 		final boolean ours = e.getCause() instanceof IllegalArgumentException;
 		final String help = ours
 			? ""

@@ -33,6 +33,9 @@ final class ResolveOptions {
 	@Option(names = "--smooth-factor", paramLabel = "S", description = "Smoothness of the mask's outline [0.2].")
 	private String smoothFactor;
 
+	@Option(names = "--segmentation", paramLabel = "STEPS", description = "What makes the mask: both, threshold or active-contour, alone [both].")
+	private String segmentation;
+
 	@Option(names = "--log-size", paramLabel = "N", description = "Edge of a Laplacian of Gaussian in pixels, odd, for uneven background [off].")
 	private String logSize;
 

@@ -82,7 +82,8 @@ final class ResolveSubcommand implements Callable<Integer> {
 		final MeasuredResolution result = MeasuredResolution
 			.of(engine.within(run.input().region()).resolve(input, parameters, progress), progress);
 		final RoiConverter rois = RoiConverter.forImage(image, run.input().channel());
-		new ResultWriter(result, run.input(), rois).write(out, force, plots, progress);
+		new ResultWriter(result, run.input(), rois, ImageFile.of(image)).write(out, force, plots,
+			progress);
 		final PrintWriter stdout = spec.commandLine().getOut();
 		RunReport.lines(result).forEach(stdout::println);
 		stdout.println("Result: " + out + " (look at montage.png first).");

@@ -4,20 +4,37 @@ import java.awt.GraphicsEnvironment;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.SortedMap;
 
 import org.scijava.command.Command;
 import org.scijava.plugin.Attr;
 import org.scijava.plugin.Parameter;
 import org.scijava.plugin.Plugin;
+import org.scijava.widget.FileWidget;
 
-import ij.measure.ResultsTable;
 import io.github.knotresolver.evaluate.Evaluation;
+import io.github.knotresolver.evaluate.FrameScore;
+import io.github.knotresolver.evaluate.like.LikeResult;
+import io.github.knotresolver.evaluate.like.LikeStudy;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.imagej.LikeFolder;
+import io.github.knotresolver.imagej.LikeRun;
+import io.github.knotresolver.imagej.ScoreFiles;
+import io.github.knotresolver.imagej.plot.ScorePlots;
 import io.github.knotresolver.io.ContoursCsv;
-import io.github.knotresolver.io.EvaluationCsv;
 import io.github.knotresolver.io.EvaluationReport;
+import io.github.knotresolver.io.LikeReport;
+import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.progress.Progress;
 
-/** {@code Evaluate Against Ground Truth...}: a result against the true contours. */
+/**
+ * {@code Evaluate Against Ground Truth...}: a result against the true contours,
+ * or against simulated movies that resemble its own.
+ */
 @Plugin(type = Command.class, label = "Evaluate Against Ground Truth...", attrs = @Attr(name = "no-legacy"))
 public class EvaluateCommand extends KnotCommand {
 
@@ -27,44 +44,84 @@ public class EvaluateCommand extends KnotCommand {
 	@Parameter(label = "Result (folder or contours.csv)", description = "Contours to judge, likewise", required = false, persist = false)
 	private File result;
 
-	@Parameter(label = "Out (CSV)", description = "Gets the scores of every frame; empty to write no file", required = false, persist = false)
+	@Parameter(label = "Like (result folder)", description = "Instead of the two above: movies that resemble this result's are simulated, resolved alike and scored", style = FileWidget.DIRECTORY_STYLE, required = false, persist = false)
+	private File like;
+
+	@Parameter(label = "Movies (how many)", description = "To simulate; with Like", min = "1", max = "1000", required = false, persist = false)
+	private int movies = LikeStudy.MOVIES;
+
+	@Parameter(label = "Seed", description = "The same seed gives the same scores; with Like", required = false, persist = false)
+	private long seed = 1;
+
+	@Parameter(label = "Movie (file)", description = "That the result was made from; with Like; empty for the file that the result tells", required = false, persist = false)
+	private File movie;
+
+	@Parameter(label = "Out (CSV; a folder with Like)", description = "Gets the scores of every frame, and figures; empty to write no file", required = false, persist = false)
 	private File out;
+
+	@Parameter(label = "Force (replace a folder)", description = "That Like wrote earlier", required = false, persist = false)
+	private boolean force = false;
 
 	@Parameter(label = "Table", description = "Show the scores of every frame", required = false, persist = false)
 	private boolean table = true;
 
+	@Parameter(label = "Plots", description = "Show and write figures: position errors, Dice index, Fréchet distance", required = false, persist = false)
+	private boolean plots = true;
+
 	@Override
 	void work(final Progress progress) throws IOException {
+		if (like == null)
+			againstTruth(progress);
+		else
+			againstLike(progress);
+	}
+
+	private void againstTruth(final Progress progress) throws IOException {
 		if (out != null)
-			EvaluationCsv.requireWritable(out.toPath());
-		final Evaluation evaluation = Evaluation.of(ContoursCsv.read(file("truth", truth).toPath()),
-			ContoursCsv.read(file("result", result).toPath()), progress);
+			ScoreFiles.requireWritable(out.toPath());
+		final Evaluation evaluation = Evaluation.of(read("truth", truth), read("result", result),
+			progress);
 		if (out != null)
-			EvaluationCsv.write(out.toPath(), evaluation);
-		if (table && !GraphicsEnvironment.isHeadless())
-			table(evaluation).show("evaluation");
+			ScoreFiles.write(out.toPath(), evaluation, plots, progress);
+		show(evaluation.frames(), evaluation.positionErrors());
 		EvaluationReport.lines(evaluation).forEach(this::say);
 	}
 
+	private void againstLike(final Progress progress) throws IOException {
+		if (truth != null || result != null)
+			throw new IllegalArgumentException(
+				"like stands alone: leave truth and result empty, or leave like empty to compare those.");
+		if (out != null)
+			ResultFolder.check(out.toPath(), force);
+		final Path original = movie == null ? null : movie.toPath();
+		final LikeStudy study = LikeRun.study(LikeRun.source(like.toPath(), original),
+			Engine.PIPELINE, progress);
+		final LikeResult scores = study.run(movies, seed, progress);
+		if (out != null)
+			LikeFolder.write(study, scores, out.toPath(), force, plots, progress);
+		show(scores.movies().get(0).evaluation().frames(), scores.positionErrors());
+		LikeReport.lines(scores).forEach(this::say);
+	}
+
+	private void show(final List<FrameScore> frames, final double[] errors) {
+		if (GraphicsEnvironment.isHeadless())
+			return;
+		if (table)
+			ScorePlots.table(frames).show("evaluation");
+		if (!plots)
+			return;
+		if (errors.length > 0)
+			ScorePlots.positionErrors(errors).show();
+		ScorePlots.dice(frames).show();
+		ScorePlots.frechet(frames).show();
+	}
+
 	/** A folder stands for the contours in it. */
-	private static File file(final String key, final File given) {
+	private static SortedMap<Integer, Polyline> read(final String key, final File given) {
 		if (given == null)
 			throw new IllegalArgumentException(
 				key + " is missing; name a contours.csv, or a folder with one.");
-		return Files.isDirectory(given.toPath()) ? new File(given, ContoursCsv.FILE) : given;
-	}
-
-	private static ResultsTable table(final Evaluation evaluation) {
-		final ResultsTable rows = new ResultsTable();
-		rows.setNaNEmptyCells(true);
-		evaluation.frames().forEach(f -> {
-			rows.addRow();
-			rows.addValue("frame", f.frame());
-			rows.addValue("crossings", f.crossings());
-			rows.addValue("Dice", f.score().dice());
-			rows.addValue("Frechet distance [px]", f.score().frechet());
-			rows.addValue("position error [px]", f.score().error());
-		});
-		return rows;
+		final Path path = given.toPath();
+		return TruthCsv.read(key, Files.isDirectory(path) ? path.resolve(ContoursCsv.FILE) : path);
 	}
 }

@@ -3,6 +3,7 @@ package io.github.knotresolver.command;
 import java.awt.GraphicsEnvironment;
 import java.io.File;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -77,6 +78,10 @@ public class ResolveFilamentCommand extends KnotCommand {
 
 	@Parameter(label = "Smooth factor", description = "Of the mask's outline", min = "0", max = "10", stepSize = "0.1", required = false, persist = false)
 	private double smooth_factor = 0.2;
+
+	@Parameter(label = "Segmentation", description = "What makes the mask; one step alone is a baseline to compare with", choices = {
+		"both", "threshold", "active_contour"}, required = false, persist = false)
+	private String segmentation = "both";
 
 	@Parameter(label = "LoG size (px, odd; 0: off)", description = "Edge of a Laplacian of Gaussian, for uneven background", min = "0", max = "99", required = false, persist = false)
 	private int log_size = 0;
@@ -184,12 +189,14 @@ public class ResolveFilamentCommand extends KnotCommand {
 		final RunOptions options = RunOptions.parse(texts(input));
 		final Movie series = ImageMovie.of(input, options.input());
 		final Parameters parameters = options.parameters(series);
+		// The image may be closed meanwhile.
 		final RoiConverter rois = RoiConverter.forImage(input, channel);
+		final Optional<Path> file = ImageFile.of(input);
 		final MeasuredResolution result = MeasuredResolution.of(
 			engine.within(options.input().region()).resolve(series, parameters, progress),
 			progress);
 		if (out != null)
-			new ResultWriter(result, options.input(), rois).write(out.toPath(), force, plots,
+			new ResultWriter(result, options.input(), rois, file).write(out.toPath(), force, plots,
 				progress);
 		progress.checkCancelled();
 		show(input, result, rois);

@@ -24,9 +24,6 @@ import io.github.knotresolver.geometry.Polyline;
 public record CurveScore(int truePositives, int falsePositives, int falseNegatives, double frechet,
 	double frechetReversed, double error, double miss, double lengthError) {
 
-	/** A point this near to the other curve counts as found, in pixels. */
-	public static final double TOLERANCE = 2;
-
 	/** A frame with a Frechet distance below this is resolved, in pixels. */
 	public static final double RESOLVED_BELOW = 5;
 
@@ -50,8 +47,8 @@ public record CurveScore(int truePositives, int falsePositives, int falseNegativ
 				"Contours to compare must be longer than 0 pixels, but are " + truth.length()
 					+ " and " + result.length() + ".");
 		final Polyline t = truth.resampled(COARSE), r = result.resampled(COARSE);
-		final int found = within(NearestDistances.of(r, t));
-		final int covered = within(NearestDistances.of(t, r));
+		final int found = DiceIndex.found(NearestDistances.of(r, t));
+		final int covered = DiceIndex.found(NearestDistances.of(t, r));
 		return new CurveScore(found, r.size() - found, t.size() - covered,
 			DiscreteFrechet.distance(t, r), DiscreteFrechet.distance(t, r.reversed()),
 			mean(positionErrors(truth, result)),
@@ -72,14 +69,9 @@ public record CurveScore(int truePositives, int falsePositives, int falseNegativ
 		return NearestDistances.of(result.resampled(COARSE), truth.resampled(FINE));
 	}
 
-	/**
-	 * The Sørensen-Dice index.
-	 *
-	 * @return 2 TP / (2 TP + FP + FN), 0..1; 0 if there is no result
-	 */
+	/** @return the {@link DiceIndex}, 0..1; 0 if there is no result */
 	public double dice() {
-		final int all = 2 * truePositives + falsePositives + falseNegatives;
-		return all == 0 ? 0 : 2.0 * truePositives / all;
+		return DiceIndex.of(truePositives, falsePositives, falseNegatives);
 	}
 
 	/** @return whether the Frechet distance is below 5 px */
@@ -90,10 +82,6 @@ public record CurveScore(int truePositives, int falsePositives, int falseNegativ
 	/** @return whether the contour is right, but from tip to fixed end */
 	public boolean isFlipped() {
 		return !isResolved() && frechetReversed < RESOLVED_BELOW;
-	}
-
-	private static int within(final double[] distances) {
-		return (int) Arrays.stream(distances).filter(d -> d <= TOLERANCE).count();
 	}
 
 	private static double mean(final double[] values) {

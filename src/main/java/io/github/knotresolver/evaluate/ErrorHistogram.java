@@ -21,6 +21,9 @@ import org.apache.commons.math3.fitting.WeightedObservedPoints;
  */
 public record ErrorHistogram(double binWidth, double[] density, Optional<Gaussian> gaussian) {
 
+	/** Width of a bin that shows sub-pixel errors, in pixels. */
+	public static final double FINE_BIN = 0.1;
+
 	private static final int MOST_ITERATIONS = 1000;
 	private static final int MOST_BINS = 10_000;
 
@@ -29,8 +32,18 @@ public record ErrorHistogram(double binWidth, double[] density, Optional<Gaussia
 	 *
 	 * @param mean in pixels
 	 * @param sigma in pixels, above 0
+	 * @param height its largest density in 1/px
 	 */
-	public record Gaussian(double mean, double sigma) {
+	public record Gaussian(double mean, double sigma, double height) {
+
+		/**
+		 * @param error a distance in pixels
+		 * @return the density there in 1/px
+		 */
+		public double at(final double error) {
+			final double z = (error - mean) / sigma;
+			return height * Math.exp(-z * z / 2);
+		}
 	}
 
 	public ErrorHistogram {
@@ -68,7 +81,7 @@ public record ErrorHistogram(double binWidth, double[] density, Optional<Gaussia
 		try {
 			final double[] norm = GaussianCurveFitter.create().withMaxIterations(MOST_ITERATIONS)
 				.fit(points.toList());
-			return Optional.of(new Gaussian(norm[1], Math.abs(norm[2])));
+			return Optional.of(new Gaussian(norm[1], Math.abs(norm[2]), norm[0]));
 		} catch (final MathIllegalArgumentException | MathIllegalStateException e) {
 			return Optional.empty();
 		}

@@ -39,7 +39,8 @@ public record Evaluation(List<FrameScore> frames, int extraFrames, double[] posi
 	public static Evaluation of(final SortedMap<Integer, Polyline> truth,
 		final SortedMap<Integer, Polyline> result, final Progress progress) {
 		if (truth.isEmpty())
-			throw new IllegalArgumentException("The truth has no frame to compare with.");
+			throw new IllegalArgumentException(
+				"truth has no frame to compare with; give contours, such as the contours.csv that 'simulate' writes.");
 		final List<FrameScore> frames = new ArrayList<>();
 		final List<double[]> errors = new ArrayList<>();
 		for (final Map.Entry<Integer, Polyline> entry : truth.entrySet()) {
@@ -57,8 +58,8 @@ public record Evaluation(List<FrameScore> frames, int extraFrames, double[] posi
 
 	private static FrameScore score(final int frame, final Polyline truth, final Polyline contour) {
 		if (!(truth.length() > 0))
-			throw new IllegalArgumentException(
-				"The true contour of frame " + frame + " has no length; it needs two points.");
+			throw new IllegalArgumentException("truth has a contour without length in frame "
+				+ frame + "; give it two points or more.");
 		final int crossings = Crossings.of(truth.resampled(1)).size();
 		final boolean present = isPresent(contour);
 		return new FrameScore(frame, present, crossings,

@@ -17,10 +17,24 @@ final class NearestDistances {
 	 *         {@code to}, in pixels
 	 */
 	static double[] of(final Polyline from, final Polyline to) {
-		final double[] x = to.xs(), y = to.ys();
-		final double[] nearest = new double[from.size()];
+		return of(from.xs(), from.ys(), to.xs(), to.ys());
+	}
+
+	/**
+	 * O(n · m).
+	 *
+	 * @param fromX columns of n points
+	 * @param fromY their rows
+	 * @param toX columns of m points
+	 * @param toY their rows
+	 * @return for every point the distance to the nearest of the others, in pixels;
+	 *         infinite if there are no others
+	 */
+	static double[] of(final double[] fromX, final double[] fromY, final double[] toX,
+		final double[] toY) {
+		final double[] nearest = new double[fromX.length];
 		for (int i = 0; i < nearest.length; i++)
-			nearest[i] = nearest(from.x(i), from.y(i), x, y);
+			nearest[i] = nearest(fromX[i], fromY[i], toX, toY);
 		return nearest;
 	}
 

@@ -13,6 +13,9 @@ import java.util.Arrays;
  */
 public record Bleaching(double rate) {
 
+	/** A filament that neither fades nor brightens. */
+	public static final Bleaching NONE = new Bleaching(0);
+
 	/** A change over the whole movie below this (relative) is not corrected. */
 	private static final double NOTICEABLE = 0.1;
 
@@ -32,10 +35,10 @@ public record Bleaching(double rate) {
 				if (brightness[i] > 0 && brightness[j] > 0)
 					slopes[count++] = Math.log(brightness[j] / brightness[i]) / (j - i);
 		if (count == 0)
-			return new Bleaching(0);
+			return NONE;
 		Arrays.sort(slopes, 0, count);
 		final double rate = -slopes[count / 2];
-		return new Bleaching(Math.abs(rate) * (n - 1) < NOTICEABLE ? 0 : rate);
+		return Math.abs(rate) * (n - 1) < NOTICEABLE ? NONE : new Bleaching(rate);
 	}
 
 	/**

@@ -13,6 +13,9 @@ import io.github.knotresolver.geometry.Polyline;
  */
 public final class Chain {
 
+	/** A curvature is taken over so many links to both sides. */
+	private static final int NEAR_LINKS = 3;
+
 	private final double x0;
 	private final double y0;
 	private final double[] theta;
@@ -145,6 +148,37 @@ public final class Chain {
 		for (int i = 0; i < next.length; i++)
 			next[i] += factor * (theta[i] - earlier.theta[i] - turn);
 		return new Chain(x0, y0, next, linkLength);
+	}
+
+	/**
+	 * This shape after the filament has slid along itself: the part beyond a place keeps its
+	 * track and goes on along it, what has slid out of it winds up at that place with the
+	 * curvature there, and turns the part before. So a filament moves that is pushed towards
+	 * its clamped end.
+	 *
+	 * @param at the place, as a link's number, 0 to {@code links() - 1}
+	 * @param by how many links the outer part slides towards the fixed end; negative to slide
+	 *          away from it; less than {@code links() - at} in magnitude
+	 * @return the chain, starting at the same point
+	 */
+	public Chain wound(final int at, final int by) {
+		final int n = theta.length;
+		final double[] next = new double[n];
+		final double bend = by > 0 ? curvature(at) * by : theta[at] - theta[at - by];
+		for (int i = 0; i < n; i++)
+			next[i] = i < at
+				? theta[i] - bend
+				: i < at + by
+					? theta[at] - bend * (1 - (double) (i - at) / by)
+					: theta[Math.min(n - 1, i - by)];
+		return new Chain(x0, y0, next, linkLength);
+	}
+
+	/** Mean change of direction from link to link near a link, in radians. */
+	private double curvature(final int at) {
+		final int from = Math.max(0, at - NEAR_LINKS),
+			to = Math.min(theta.length - 1, at + NEAR_LINKS);
+		return (theta[to] - theta[from]) / (to - from);
 	}
 
 	/**

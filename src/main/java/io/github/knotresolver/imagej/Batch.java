@@ -126,7 +126,8 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 			.within(options.input().region()).resolve(movie, options.parameters(movie), progress),
 			progress);
 		final RoiConverter rois = RoiConverter.forImage(image, options.input().channel());
-		new ResultWriter(result, options.input(), rois).write(folder, overwrite, plots, progress);
+		new ResultWriter(result, options.input(), rois, ImageFile.of(image)).write(folder,
+			overwrite, plots, progress);
 		return result;
 	}
 

@@ -5,6 +5,7 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.Set;
 
 import ij.ImagePlus;
@@ -45,6 +46,19 @@ public final class ImageFile {
 			throw new IllegalArgumentException(file
 				+ " is damaged: ImageJ could not read all of its pixels; copy the file again from its source.");
 		return opened.value();
+	}
+
+	/**
+	 * @param image an image
+	 * @return the file that it was opened from; empty if there is none, or if the
+	 *         image was changed since
+	 */
+	public static Optional<Path> of(final ImagePlus image) {
+		final FileInfo info = image.getOriginalFileInfo();
+		if (info == null || image.changes || info.directory == null || info.fileName == null)
+			return Optional.empty();
+		final Path file = Path.of(info.directory, info.fileName).toAbsolutePath().normalize();
+		return Files.isRegularFile(file) ? Optional.of(file) : Optional.empty();
 	}
 
 	private static ImagePlus read(final Path file) {

@@ -34,8 +34,8 @@ public record Rendering(boolean optical, double pixelSize, int margin, int bits,
 		return switch (bits) {
 			case 8 -> BitDepth.EIGHT;
 			case 16 -> BitDepth.SIXTEEN;
-			default ->
-				throw new IllegalArgumentException("bits must be 8 or 16, but is " + bits + ".");
+			default -> throw new IllegalArgumentException(
+				"bits must be 8 or 16, but is " + bits + "; choose one of them.");
 		};
 	}
 
@@ -51,7 +51,7 @@ public record Rendering(boolean optical, double pixelSize, int margin, int bits,
 	private double decibel() {
 		if (snr.strip().equalsIgnoreCase("inf"))
 			return Double.POSITIVE_INFINITY;
-		return OptionText.number("snr", snr);
+		return OptionText.number("snr", snr, "a number of dB from -30 to 100, or inf");
 	}
 
 	/** @return the options that had a say, for {@code parameters.json} */

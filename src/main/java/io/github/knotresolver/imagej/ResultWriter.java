@@ -4,6 +4,7 @@ import java.awt.image.RenderedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 
 import javax.imageio.ImageIO;
 
@@ -28,18 +29,21 @@ public final class ResultWriter {
 	private final Resolution resolution;
 	private final InputOptions input;
 	private final RoiConverter rois;
+	private final Optional<Path> file;
 
 	/**
 	 * @param result a measured result
 	 * @param input how its movie was taken from the image
 	 * @param rois makes ROIs for that image
+	 * @param file the image's file; empty if it has none
 	 */
 	public ResultWriter(final MeasuredResolution result, final InputOptions input,
-		final RoiConverter rois) {
+		final RoiConverter rois, final Optional<Path> file) {
 		this.result = result;
 		this.resolution = result.resolution();
 		this.input = input;
 		this.rois = rois;
+		this.file = file;
 	}
 
 	/**
@@ -72,7 +76,7 @@ public final class ResultWriter {
 		ContoursCsv.write(folder.resolve(ContoursCsv.FILE), result);
 		FramesCsv.write(folder.resolve(FramesCsv.FILE), result);
 		SummaryCsv.write(folder.resolve(SummaryCsv.FILE), result, input);
-		ParametersJson.write(folder.resolve(ParametersJson.FILE), resolution, input);
+		ParametersJson.write(folder.resolve(ParametersJson.FILE), resolution, input, file);
 		OriginalFiles.writeContours(folder.resolve(OriginalFiles.CONTOURS), result);
 		OriginalFiles.writeStatistics(folder.resolve(OriginalFiles.STATISTICS), result);
 	}

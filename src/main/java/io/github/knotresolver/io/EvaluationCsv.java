@@ -50,10 +50,11 @@ public final class EvaluationCsv {
 		if (folder == null || Files.isDirectory(out) || !Files.isDirectory(folder)
 			|| !Files.isWritable(Files.exists(out) ? out : folder))
 			throw new IllegalArgumentException(
-				"The scores cannot be written to " + out + "; choose a file in a writable folder.");
+				"out " + out + " cannot be written; choose a file in a writable folder.");
 	}
 
-	private static String number(final double value) {
+	/** @return the number, or {@code inf} */
+	static String number(final double value) {
 		return value == Double.POSITIVE_INFINITY ? "inf" : NumberText.significant(value);
 	}
 }

@@ -11,9 +11,6 @@ import io.github.knotresolver.evaluate.EvaluationSummary;
 /** An evaluation in a few lines, for people. */
 public final class EvaluationReport {
 
-	/** Width of a bin of the position errors, in pixels. */
-	private static final double BIN = 0.1;
-
 	private final List<String> lines = new ArrayList<>();
 
 	private EvaluationReport() {
@@ -39,7 +36,7 @@ public final class EvaluationReport {
 		report.line("Frechet distance, median", "%.3f px", s.medianFrechet());
 		report.line("  of frames with a contour", "%.3f px", s.medianFrechetPresent());
 		report.line("position error, mean", "%.3f px", s.meanError());
-		ErrorHistogram.of(evaluation.positionErrors(), BIN).gaussian()
+		ErrorHistogram.of(evaluation.positionErrors(), ErrorHistogram.FINE_BIN).gaussian()
 			.ifPresent(g -> report.lines.add(String.format(Locale.ROOT,
 				"%-28s mean %.3f px, sigma %.3f px", "  Gaussian fit", g.mean(), g.sigma())));
 		report.line("truth missed by, mean", "%.3f px", s.meanMiss());

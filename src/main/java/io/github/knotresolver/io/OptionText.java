@@ -30,8 +30,18 @@ public final class OptionText {
 	 * @return a finite number
 	 */
 	public static double number(final String key, final String text) {
+		return number(key, text, "a number");
+	}
+
+	/**
+	 * @param key the option's name
+	 * @param text what was typed
+	 * @param expected what it must be
+	 * @return a finite number
+	 */
+	public static double number(final String key, final String text, final String expected) {
 		if (!NUMBER.matcher(text.strip()).matches() || Double.isInfinite(Double.parseDouble(text)))
-			throw refusal(key, "a number", text);
+			throw refusal(key, expected, text);
 		return Double.parseDouble(text);
 	}
 
@@ -92,12 +102,13 @@ public final class OptionText {
 	 * @param key the option's name
 	 * @param text what was typed
 	 * @param choices the enumeration to choose from
-	 * @return the constant of that name, in any case
+	 * @return the constant of that name, in any case, with _ or -
 	 */
 	public static <E extends Enum<E>> E choice(final String key, final String text,
 		final Class<E> choices) {
+		final String name = text.strip().replace('-', '_');
 		for (final E constant : choices.getEnumConstants())
-			if (constant.name().equalsIgnoreCase(text.strip()))
+			if (constant.name().equalsIgnoreCase(name))
 				return constant;
 		throw refusal(
 			key, Arrays.stream(choices.getEnumConstants())

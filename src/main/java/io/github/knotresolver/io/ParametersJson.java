@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 
@@ -45,14 +46,15 @@ public final class ParametersJson {
 	 * @param file the file to write
 	 * @param resolution the result
 	 * @param input how the movie was taken from its image
+	 * @param image the image's file; empty if there is none
 	 * @throws IOException if the disk says no
 	 */
-	public static void write(final Path file, final Resolution resolution, final InputOptions input)
-		throws IOException {
+	public static void write(final Path file, final Resolution resolution, final InputOptions input,
+		final Optional<Path> image) throws IOException {
 		final Map<String, Object> json = new LinkedHashMap<>();
 		json.put(PROGRAM, ProgramVersion.NAME);
 		json.put("version", ProgramVersion.get());
-		json.put("movie", movie(resolution.movie()));
+		json.put("movie", movie(resolution.movie(), image));
 		json.put("options", options(resolution, input));
 		json.put("corrections", corrections(resolution.parameters().corrections()));
 		json.put("found", found(resolution));
@@ -87,12 +89,13 @@ public final class ParametersJson {
 		}
 	}
 
-	private static Map<String, Object> movie(final Movie movie) {
+	private static Map<String, Object> movie(final Movie movie, final Optional<Path> image) {
 		final Map<String, Object> json = new LinkedHashMap<>();
 		json.put("name", movie.name());
 		json.put("width", movie.width());
 		json.put("height", movie.height());
 		json.put("frames", movie.size());
+		json.put("file", image.map(Path::toString).orElse(null));
 		return json;
 	}
 
@@ -110,6 +113,7 @@ public final class ParametersJson {
 		json.put("iterations", p.segmentation().iterations());
 		json.put("contraction_bias", p.segmentation().contractionBias());
 		json.put("smooth_factor", p.segmentation().smoothFactor());
+		json.put("segmentation", label(p.segmentation().steps()));
 		json.put("log_size", p.cleaning().enhances() ? p.cleaning().logSize() : null);
 		json.put("log_sigma", p.cleaning().enhances() ? p.cleaning().logSigma() : null);
 		json.put("candidates", label(p.candidates()));

@@ -47,29 +47,30 @@ public final class ResultFolder implements AutoCloseable {
 		final Path target = out.toAbsolutePath().normalize();
 		final Path parent = existingParent(target);
 		if (!Files.isDirectory(parent))
-			throw new IllegalArgumentException("The result cannot be written to " + out
-				+ ", because " + parent + " is a file; choose another folder.");
+			throw new IllegalArgumentException("out " + out + " cannot be written, because "
+				+ parent + " is a file; choose another folder.");
 		if (Files.exists(target))
 			checkExisting(out, target, overwrite);
 		else if (!Files.isWritable(parent))
-			throw new IllegalArgumentException("The result cannot be written to " + out
-				+ ", because the folder " + parent + " is not writable; choose another one.");
+			throw new IllegalArgumentException(
+				"out " + out + " cannot be written, because the folder " + parent
+					+ " is not writable; choose another one.");
 	}
 
 	private static void checkExisting(final Path out, final Path target, final boolean overwrite) {
 		if (!Files.isDirectory(target))
 			throw new IllegalArgumentException(
-				out + " is a file, but the result needs a folder; choose another name.");
+				"out " + out + " is a file, but the result needs a folder; choose another name.");
 		if (!Files.isWritable(target) || !Files.isWritable(target.getParent()))
 			throw new IllegalArgumentException(
-				"The folder " + out + " is not writable; choose another one.");
+				"out " + out + " is a folder that is not writable; choose another one.");
 		if (isEmpty(target))
 			return;
 		if (!isResult(target))
-			throw new IllegalArgumentException("The folder " + out
+			throw new IllegalArgumentException("out " + out
 				+ " holds files that are not a result of this program; choose another one.");
 		if (!overwrite)
-			throw new IllegalArgumentException("The folder " + out
+			throw new IllegalArgumentException("out " + out
 				+ " already holds a result; choose another one, or add --force to replace it.");
 	}
 

@@ -33,9 +33,9 @@ public final class RunOptions {
 
 	/** Every key, in the order in which a person thinks of them. */
 	public static final Set<String> KEYS = keys("fixed_end", "region", "threshold", "iterations",
-		"contraction_bias", "smooth_factor", "log_size", "log_sigma", "candidates", "resolver",
-		"length", "length_model", "refine", "channel", "z_as_time", "frames", "ignore_frames",
-		"corrections", "pixel_size", "frame_interval", "unit", "threads");
+		"contraction_bias", "smooth_factor", "segmentation", "log_size", "log_sigma", "candidates",
+		"resolver", "length", "length_model", "refine", "channel", "z_as_time", "frames",
+		"ignore_frames", "corrections", "pixel_size", "frame_interval", "unit", "threads");
 
 	private final InputOptions input;
 	private final Parameters parameters;
@@ -127,7 +127,8 @@ public final class RunOptions {
 
 	private static Segmentation segmentation(final Map<String, String> given) {
 		final Segmentation d = Segmentation.DEFAULT;
-		return new Segmentation(OptionText.threshold(given.getOrDefault("threshold", "otsu")),
+		return new Segmentation(choice(given, "segmentation", Segmentation.Steps.class, d.steps()),
+			OptionText.threshold(given.getOrDefault("threshold", "otsu")),
 			OptionText.wholeNumber("iterations",
 				given.getOrDefault("iterations", "" + d.iterations())),
 			OptionText.number("contraction_bias",

@@ -4,6 +4,7 @@ package io.github.knotresolver.io;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.SortedMap;
 
 import org.apache.commons.csv.CSVPrinter;
 
@@ -16,6 +17,23 @@ import io.github.knotresolver.geometry.Polyline;
 public final class TruthCsv {
 
 	private TruthCsv() {
+	}
+
+	/**
+	 * Reads contours that are to be compared.
+	 *
+	 * @param key the option that named the file
+	 * @param file the file
+	 * @return the contours in pixels, by 1-based frame
+	 * @throws IllegalArgumentException if it is not such a file; the sentence
+	 *           begins with the key
+	 */
+	public static SortedMap<Integer, Polyline> read(final String key, final Path file) {
+		try {
+			return ContoursCsv.read(file);
+		} catch (final IllegalArgumentException e) {
+			throw new IllegalArgumentException(key + " cannot be used: " + e.getMessage(), e);
+		}
 	}
 
 	/**

@@ -56,7 +56,8 @@ public final class ChanVese {
 		final RandomAccessibleInterval<BitType> seed, final int iterations,
 		final double contractionBias, final double smoothFactor) {
 		Masks.requireSameSize(frame, seed);
-		new Segmentation(OptionalDouble.empty(), iterations, contractionBias, smoothFactor);
+		new Segmentation(Segmentation.Steps.BOTH, OptionalDouble.empty(), iterations,
+			contractionBias, smoothFactor);
 		final float[] values = Pixels.floats(frame);
 		final SparseField field = new SparseField(Pixels.bits(seed), Pixels.width(frame));
 		RegionMeans means = RegionMeans.of(values, field);

@@ -9,8 +9,7 @@ import net.imglib2.type.numeric.real.FloatType;
 /**
  * Finds the masks of all objects in a clean frame: threshold, active contour,
  * then specks and pin holes are taken out. Has no state that changes, so frames
- * can be worked on in parallel. With 0 iterations this is the threshold-only
- * baseline of the paper.
+ * can be worked on in parallel.
  */
 public final class FilamentSegmenter {
 
@@ -61,8 +60,12 @@ public final class FilamentSegmenter {
 	 */
 	public Img<BitType> segmentFrom(final RandomAccessibleInterval<FloatType> frame,
 		final RandomAccessibleInterval<BitType> seed) {
-		final Img<BitType> mask = ChanVese.evolve(frame, seed, segmentation.iterations(),
+		final Img<BitType> mask = ChanVese.evolve(frame, seed, iterations(),
 			segmentation.contractionBias(), segmentation.smoothFactor());
 		return MaskRepair.fillPinHoles(MaskRepair.removeSpecks(mask, SPECK), PIN_HOLE);
+	}
+
+	private int iterations() {
+		return segmentation.steps() == Segmentation.Steps.THRESHOLD ? 0 : segmentation.iterations();
 	}
 }

@@ -1,10 +1,12 @@
 package io.github.knotresolver.mask;
 
+import java.util.Objects;
 import java.util.OptionalDouble;
 
 /**
  * Parameters of finding the filament's mask.
  *
+ * @param steps which steps lead to the mask
  * @param threshold intensity 0..1 of the stretched frame above which a pixel
  *          starts as filament; empty for Otsu's
  * @param iterations of the active contour, 0..1000; 0 leaves the threshold's
@@ -12,14 +14,28 @@ import java.util.OptionalDouble;
  * @param contractionBias -1..1; positive shrinks the mask
  * @param smoothFactor 0..10; the larger, the smoother the outline
  */
-public record Segmentation(OptionalDouble threshold, int iterations, double contractionBias,
-	double smoothFactor) {
+public record Segmentation(Steps steps, OptionalDouble threshold, int iterations,
+	double contractionBias, double smoothFactor) {
+
+	/** Which steps lead to a mask. Those alone are the baselines of the paper. */
+	public enum Steps {
+		/** In every frame a threshold, then the active contour. */
+		BOTH,
+		/** A threshold alone; the active contour's parameters have no say. */
+		THRESHOLD,
+		/**
+		 * Only the first frame has a threshold; the active contour then goes on from
+		 * frame to frame.
+		 */
+		ACTIVE_CONTOUR
+	}
 
 	/** The defaults of the published method. */
-	public static final Segmentation DEFAULT = new Segmentation(OptionalDouble.empty(), 10, 0.4,
-		0.2);
+	public static final Segmentation DEFAULT = new Segmentation(Steps.BOTH, OptionalDouble.empty(),
+		10, 0.4, 0.2);
 
 	public Segmentation {
+		Objects.requireNonNull(steps);
 		if (threshold.isPresent()
 			&& !(threshold.getAsDouble() >= 0 && threshold.getAsDouble() <= 1))
 			throw new IllegalArgumentException(

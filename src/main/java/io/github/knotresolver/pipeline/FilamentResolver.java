@@ -55,9 +55,8 @@ public final class FilamentResolver {
 
 	private Resolution resolve(final Movie movie, final List<Integer> wanted, final Workers workers,
 		final Progress progress) {
-		final FramePreparer preparer = new FramePreparer(movie, parameters);
-		final List<FrameView> frames = workers.map("Segmenting", progress, wanted.size(),
-			i -> preparer.prepare(wanted.get(i)));
+		final List<FrameView> frames = new FramePreparer(movie, parameters).prepare(wanted, workers,
+			progress);
 		progress.report("Looking for the fixed end", 0);
 		parameters.fixedEnd().ifPresent(end -> requireNearObject(end, frames));
 		final Point fixedEnd = parameters.fixedEnd()

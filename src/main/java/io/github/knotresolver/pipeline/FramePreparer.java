@@ -1,43 +1,78 @@
 package io.github.knotresolver.pipeline;
 
+import java.util.AbstractList;
 import java.util.Arrays;
+import java.util.List;
 
+import net.imglib2.RandomAccessibleInterval;
 import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
+import net.imglib2.type.numeric.real.FloatType;
 
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.image.FrameCleaner;
 import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.mask.ActiveContourOnly;
 import io.github.knotresolver.mask.FilamentSegmenter;
 import io.github.knotresolver.mask.LocalThreshold;
+import io.github.knotresolver.mask.Segmentation;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.skeleton.Skeletonize;
 import io.github.knotresolver.track.FrameView;
 
-/** Walks one frame from its pixels to the graph of its skeleton. */
+/** Walks frames from their pixels to the graphs of their skeletons. */
 final class FramePreparer {
 
 	private final Movie movie;
 	private final FrameCleaner cleaner;
+	private final Segmentation.Steps steps;
 	private final FilamentSegmenter segmenter;
 
 	FramePreparer(final Movie movie, final Parameters parameters) {
 		this.movie = movie;
 		cleaner = new FrameCleaner(parameters.cleaning());
+		steps = parameters.segmentation().steps();
 		segmenter = parameters.isPublished()
 			? new FilamentSegmenter(parameters.segmentation())
 			: new FilamentSegmenter(parameters.segmentation(), new LocalThreshold());
 	}
 
-	/** @param frame 1-based number of the frame */
-	FrameView prepare(final int frame) {
-		final Img<BitType> mask = mask(frame);
+	/** @param frames 1-based numbers of the frames, in order */
+	List<FrameView> prepare(final List<Integer> frames, final Workers workers,
+		final Progress progress) {
+		if (steps == Segmentation.Steps.ACTIVE_CONTOUR) {
+			final List<Img<BitType>> masks = carried(frames, progress);
+			return workers.map(frames.size(), i -> view(frames.get(i), masks.get(i)));
+		}
+		return workers.map("Segmenting", progress, frames.size(),
+			i -> view(frames.get(i), segmenter.segment(clean(frames.get(i)))));
+	}
+
+	/** One frame's mask is the next one's start. */
+	private List<Img<BitType>> carried(final List<Integer> frames, final Progress progress) {
+		return ActiveContourOnly.segment(new AbstractList<>() {
+
+			@Override
+			public RandomAccessibleInterval<FloatType> get(final int i) {
+				return clean(frames.get(i));
+			}
+
+			@Override
+			public int size() {
+				return frames.size();
+			}
+		}, segmenter, progress);
+	}
+
+	private FrameView view(final int frame, final Img<BitType> mask) {
 		return new FrameView(frame, light(frame), mask, SkeletonGraph.of(Skeletonize.thin(mask)));
 	}
 
-	Img<BitType> mask(final int frame) {
-		return segmenter.segment(cleaner.clean(movie.frame(frame - 1)));
+	private Img<FloatType> clean(final int frame) {
+		return cleaner.clean(movie.frame(frame - 1));
 	}
 
 	/** The frame above its background; pixels without a value are taken for background. */

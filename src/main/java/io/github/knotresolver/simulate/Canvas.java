@@ -27,7 +27,7 @@ public record Canvas(int width, int height, double pixelSize, double offsetX, do
 	private static final double MOST_PIXELS = 4e7;
 
 	public Canvas {
-		Require.within("pixel size", pixelSize, 0.005, 10, "µm");
+		Require.within("pixel_size", pixelSize, 0.005, 10, "µm");
 	}
 
 	/**
@@ -38,7 +38,7 @@ public record Canvas(int width, int height, double pixelSize, double offsetX, do
 	 * @throws IllegalArgumentException if one is out of range
 	 */
 	public static void check(final double pixelSize, final int margin) {
-		Require.within("pixel size", pixelSize, 0.005, 10, "µm");
+		Require.within("pixel_size", pixelSize, 0.005, 10, "µm");
 		Require.within("margin", margin, 0, 1000);
 	}
 
@@ -67,8 +67,8 @@ public record Canvas(int width, int height, double pixelSize, double offsetX, do
 		final double height = Math.ceil((bottom - top) / pixelSize) + 2 * margin + 1;
 		if (width * height > MOST_PIXELS)
 			throw new IllegalArgumentException(
-				"A pixel size of " + pixelSize + " µm makes frames of " + (long) width + " x "
-					+ (long) height + " pixels; choose larger pixels.");
+				"pixel_size " + pixelSize + " µm makes frames of " + (long) width + " x "
+					+ (long) height + " pixels, more than 40 million; choose larger pixels.");
 		return new Canvas((int) width, (int) height, pixelSize, margin - left / pixelSize,
 			margin - top / pixelSize, trajectory.frameInterval());
 	}

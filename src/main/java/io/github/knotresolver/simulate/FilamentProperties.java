@@ -22,9 +22,9 @@ public record FilamentProperties(double length, double persistenceLength, double
 	private static final double SHEAR = 21;
 
 	public FilamentProperties {
-		Require.within("filament length", length, 1, 200, "µm");
-		Require.within("persistence length", persistenceLength, 1, 1e5, "µm");
-		Require.within("link length", link, 0.02, Math.min(1, length / 4), "µm");
+		Require.within("length", length, 1, 200, "µm");
+		Require.within("persistence_length", persistenceLength, 1, 1e5, "µm");
+		Require.within("link", link, 0.02, Math.min(1, length / 4), "µm");
 	}
 
 	/**
@@ -36,7 +36,7 @@ public record FilamentProperties(double length, double persistenceLength, double
 	 * @return the filament
 	 */
 	public static FilamentProperties microtubule(final double length) {
-		Require.within("filament length", length, 1, 200, "µm");
+		Require.within("length", length, 1, 200, "µm");
 		final double ratio = SHEAR / length;
 		return new FilamentProperties(length, ENDLESS / (1 + ratio * ratio), 0.1, Clamp.PIVOT);
 	}

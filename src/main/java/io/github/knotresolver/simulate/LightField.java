@@ -8,7 +8,7 @@ import io.github.knotresolver.geometry.Polyline;
  * Light that adds up: lines and points seen through a Gaussian point spread
  * function. A long straight line of brightness 1 has 1 on its middle.
  */
-final class LightField {
+public final class LightField {
 
 	/** Distance of the points that a line is made of, in pixels. */
 	private static final double STEP = 0.25;
@@ -21,19 +21,30 @@ final class LightField {
 	private final double[] light;
 	private final double[] across;
 
-	LightField(final int width, final int height, final double sigma) {
+	/**
+	 * @param width of the picture in pixels
+	 * @param height of the picture in pixels
+	 * @param sigma width of the point spread function in pixels
+	 */
+	public LightField(final int width, final int height, final double sigma) {
 		this.width = width;
 		this.sigma = sigma;
 		light = new double[width * height];
 		across = new double[2 * radius() + 1];
 	}
 
-	double[] values() {
+	/** @return the light of every pixel, row by row */
+	public double[] values() {
 		return light;
 	}
 
-	/** Adds a line: the sum over its points approximates the line integral. */
-	void addLine(final Polyline curve, final double brightness) {
+	/**
+	 * Adds a line: the sum over its points approximates the line integral.
+	 *
+	 * @param curve the line in pixels
+	 * @param brightness of its middle
+	 */
+	public void addLine(final Polyline curve, final double brightness) {
 		final Polyline q = curve.resampled(STEP);
 		final double perPixel = brightness / (sigma * Math.sqrt(2 * Math.PI));
 		for (int i = 0; i < q.size(); i++) {

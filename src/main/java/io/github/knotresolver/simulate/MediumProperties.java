@@ -23,7 +23,7 @@ public record MediumProperties(double temperature, double viscosity, double axis
 	public MediumProperties {
 		Require.within("temperature", temperature, 1, 400, "K");
 		Require.within("viscosity", viscosity, 1e-4, 100, "Pa s");
-		Require.within("height of the filament's axis", axisHeight, 0.0126, 10, "µm");
+		Require.within("axis_height", axisHeight, 0.0126, 10, "µm");
 	}
 
 	/** @return the thermal energy in pN·µm */

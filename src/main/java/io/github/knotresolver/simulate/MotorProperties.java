@@ -30,14 +30,14 @@ public record MotorProperties(double density, double bindingRate, double binding
 	double stiffness) {
 
 	public MotorProperties {
-		Require.within("motor density", density, 0, 1000, "motors per µm²");
-		Require.within("binding rate", bindingRate, 0, 1000, "per s");
-		Require.within("binding range", bindingRange, 0.001, 0.2, "µm");
-		Require.within("unbinding rate", unbindingRate, 0, 1000, "per s");
-		Require.within("unbinding force", unbindingForce, 0.1, 1000, "pN");
-		Require.within("stall force", stallForce, 0.1, 1000, "pN");
-		Require.within("motor speed", speed, 0, 10, "µm/s");
-		Require.within("linker stiffness", stiffness, 1, 1e4, "pN/µm");
+		Require.within("density", density, 0, 1000, "motors per µm²");
+		Require.within("binding_rate", bindingRate, 0, 1000, "per s");
+		Require.within("binding_range", bindingRange, 0.001, 0.2, "µm");
+		Require.within("unbinding_rate", unbindingRate, 0, 1000, "per s");
+		Require.within("unbinding_force", unbindingForce, 0.1, 1000, "pN");
+		Require.within("stall_force", stallForce, 0.1, 1000, "pN");
+		Require.within("motor_speed", speed, 0, 10, "µm/s");
+		Require.within("motor_stiffness", stiffness, 1, 1e4, "pN/µm");
 	}
 
 	/**

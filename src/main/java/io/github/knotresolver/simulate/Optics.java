@@ -25,14 +25,14 @@ public record Optics(double psfSigma, double signal, double background, double r
 		0);
 
 	public Optics {
-		Require.within("width of the point spread function", psfSigma, 0.3, 20, "pixels");
+		Require.within("psf_sigma", psfSigma, 0.3, 20, "pixels");
 		Require.within("signal", signal, 0.1, 1e6, "photons");
 		Require.within("background", background, 0, 1e6, "photons");
-		Require.within("read noise", readNoise, 0, 1000, "electrons");
+		Require.within("read_noise", readNoise, 0, 1000, "electrons");
 		if (bleachingTime != Double.POSITIVE_INFINITY)
-			Require.within("bleaching time", bleachingTime, 1e-3, 1e9, "s");
-		Require.within("number of other filaments", others, 0, 100);
-		Require.within("glide of other filaments", glide, 0, 1000, "pixels per frame");
-		Require.within("number of specks", debris, 0, 1000);
+			Require.within("bleaching_time", bleachingTime, 1e-3, 1e9, "s");
+		Require.within("others", others, 0, 100);
+		Require.within("glide", glide, 0, 1000, "pixels per frame");
+		Require.within("debris", debris, 0, 1000);
 	}
 }

@@ -28,7 +28,7 @@ public final class PaperRenderer implements FrameRenderer {
 	public PaperRenderer(final double snr, final long seed) {
 		this.snr = snr == Double.POSITIVE_INFINITY
 			? snr
-			: Require.within("signal-to-noise ratio", snr, -30, 100, "dB");
+			: Require.within("snr", snr, -30, 100, "dB");
 		this.seed = seed;
 	}
 

@@ -3,23 +3,26 @@ package io.github.knotresolver.simulate;
 
 import java.util.Locale;
 
-/** Says in one sentence what is wrong with a parameter. */
+/**
+ * Says in one sentence what is wrong with a parameter: its key in macros, which
+ * the command line spells as an option, its value, and what is allowed.
+ */
 final class Require {
 
 	private Require() {
 	}
 
-	static double within(final String name, final double value, final double low, final double high,
+	static double within(final String key, final double value, final double low, final double high,
 		final String unit) {
 		if (!(value >= low && value <= high))
-			throw new IllegalArgumentException(
-				String.format(Locale.ROOT, "The %s must be %s to %s%s, but is %s.", name, text(low),
-					text(high), unit.isEmpty() ? "" : " " + unit, text(value)));
+			throw new IllegalArgumentException(String.format(Locale.ROOT,
+				"%s must be %s to %s%s, but is %s; choose a value in that range.", key, text(low),
+				text(high), unit.isEmpty() ? "" : " " + unit, text(value)));
 		return value;
 	}
 
-	static int within(final String name, final int value, final int low, final int high) {
-		return (int) within(name, (double) value, low, high, "");
+	static int within(final String key, final int value, final int low, final int high) {
+		return (int) within(key, (double) value, low, high, "");
 	}
 
 	private static String text(final double value) {

@@ -16,9 +16,9 @@ public record Schedule(double duration, int frames, double timeStep, double warm
 
 	public Schedule {
 		Require.within("duration", duration, 0.001, 1e5, "s");
-		Require.within("number of frames", frames, 2, 10_000);
-		Require.within("time step", timeStep, 1e-5, 0.1, "s");
-		Require.within("warm-up time", warmUp, 0, 1e5, "s");
+		Require.within("frames", frames, 2, 10_000);
+		Require.within("time_step", timeStep, 1e-5, 0.1, "s");
+		Require.within("warm_up", warmUp, 0, 1e5, "s");
 	}
 
 	/** @return time between frames in s: duration / frames */

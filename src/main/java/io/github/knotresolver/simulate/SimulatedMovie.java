@@ -46,9 +46,9 @@ public record SimulatedMovie(Movie movie, List<Polyline> truth) {
 		final List<Polyline> truth = canvas.truth(trajectory);
 		final long pixels = (long) canvas.width() * canvas.height() * truth.size();
 		if (pixels > MOST_PIXELS)
-			throw new IllegalArgumentException("A movie of " + truth.size() + " frames of "
-				+ canvas.width() + " x " + canvas.height()
-				+ " pixels is too large; choose fewer frames or larger pixels.");
+			throw new IllegalArgumentException("frames are too many for one movie: " + truth.size()
+				+ " of " + canvas.width() + " x " + canvas.height()
+				+ " pixels, more than 2000 million pixels; choose fewer frames or larger pixels.");
 		final Img<? extends IntegerType<?>> frames = blank(canvas, truth.size(), depth);
 		final Cursor<? extends IntegerType<?>> pixel = frames.cursor();
 		for (int t = 0; t < truth.size(); t++) {

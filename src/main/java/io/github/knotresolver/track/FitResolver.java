@@ -98,9 +98,12 @@ public final class FitResolver {
 		final int first = frames.get(0).frame();
 		final double[] brightness = new double[frames.get(frames.size() - 1).frame() - first + 1];
 		Arrays.fill(brightness, Double.NaN);
+		final StrandLight strands = StrandLight.of(frames, sets);
 		for (int t = 0; t < frames.size(); t++)
-			brightness[frames.get(t).frame() - first] = StrandLight.of(frames.get(t), sets.get(t));
-		final Bleaching bleaching = Bleaching.learn(brightness);
+			brightness[frames.get(t).frame() - first] = strands.light()[t];
+		final Bleaching learned = Bleaching.learn(brightness);
+		// A filament that winds up seems to brighten.
+		final Bleaching bleaching = strands.open() || learned.rate() > 0 ? learned : Bleaching.NONE;
 		return frames.stream().map(f -> f.scaled(bleaching.factor(f.frame() - first))).toList();
 	}
 

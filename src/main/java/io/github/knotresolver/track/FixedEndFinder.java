@@ -43,6 +43,12 @@ public final class FixedEndFinder {
 	/** Price (pixels) of a place without any votes. */
 	private static final double FEWER_VOTES = 20;
 
+	/** Price of a frame in which no trail begins at a place; of one far from the filament, at most. */
+	private static final double NO_TRAIL = 100;
+
+	/** The clamped end is this near (pixels) to a skeleton in every frame. */
+	private static final double NEAR = 6;
+
 	private static final int CONTENDERS = 5;
 	private static final int FRAMES_TO_TRY = 12;
 	private static final TrailCandidates TRAILS = new TrailCandidates(3, 200, 2,
@@ -157,7 +163,7 @@ public final class FixedEndFinder {
 		return new Place(end.at, votes, spread / votes);
 	}
 
-	/** Mean price of the best trails from a place, in a sample of frames. */
+	/** Mean price of the best trails from a place, and of its being away from any skeleton, in a sample of frames. */
 	private double price(final Place place) {
 		double sum = 0;
 		final int tries = Math.min(FRAMES_TO_TRY, frames.size());
@@ -168,7 +174,8 @@ public final class FixedEndFinder {
 				.generate(CandidateQuery.of(frame.graph(), place.at, OptionalDouble.empty()),
 					progress)
 				.candidates();
-			sum += best.isEmpty() ? 100 : best.get(0).price().total();
+			sum += best.isEmpty() ? NO_TRAIL : best.get(0).price().total();
+			sum += Math.min(NO_TRAIL, Math.max(0, frame.distance(place.at) - NEAR));
 		}
 		return sum / tries;
 	}

@@ -84,21 +84,25 @@ final class Propagation {
 	private List<Fit> carried(final int frame, final List<Hypothesis> beam,
 		final List<Hypothesis> next) {
 		final FilamentFitter fitter = fitters.apply(frame);
-		final List<Fit> fits = new ArrayList<>();
+		final WoundStarts wound = new WoundStarts(motion.usualMotion());
+		final List<Fit> all = new ArrayList<>();
 		for (final Hypothesis h : beam) {
+			final List<Fit> fits = new ArrayList<>();
 			final Chain here = h.fit.chain();
 			final Optional<Chain> heading = h.before.map(b -> here.extrapolated(b, INERTIA));
 			final List<Chain> starts = new ArrayList<>(List.of(here));
 			h.before.map(b -> here.extrapolated(b, 1)).filter(s -> s.distance(here) > SLOW)
 				.ifPresent(starts::add);
-			for (final Chain start : starts) {
-				final Fit fit = fitter.fit(start, Optional.of(heading.orElse(here)));
-				fits.add(fit);
+			for (final Chain start : starts)
+				fits.add(fitter.fit(start, Optional.of(heading.orElse(here))));
+			for (final Chain start : wound.of(here, fitter))
+				fits.add(fitter.fit(start, Optional.empty()));
+			for (final Fit fit : fits)
 				next.add(new Hypothesis(fit, Optional.of(here),
 					h.total + fit.energy() + motion.between(here, fit.chain())));
-			}
+			all.addAll(fits);
 		}
-		return fits;
+		return all;
 	}
 
 	/** A proposal joins the way that leads to it most cheaply. */

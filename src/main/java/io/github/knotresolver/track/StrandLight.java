@@ -1,30 +1,66 @@
 package io.github.knotresolver.track;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.candidate.CandidateSet;
 import io.github.knotresolver.contour.ContourBuilder;
 import io.github.knotresolver.geometry.Polyline;
 
-/** How bright a single strand is in a frame. */
-final class StrandLight {
+/**
+ * How bright a single strand is in each frame. Where a filament winds up, more and more of
+ * it lies on itself and looks brighter; only frames in which it lies open say how its
+ * brightness changes with time.
+ *
+ * @param light brightness above the background along the best trail of each frame; NaN
+ *          where it is not known
+ * @param open whether only frames count in which the filament lies open; if there are too
+ *          few of them, all do
+ */
+record StrandLight(double[] light, boolean open) {
 
 	/** Strands that lie on each other are brighter: a low quantile is that of one. */
 	private static final double QUANTILE = 0.3;
 
-	private StrandLight() {
-	}
+	/** An open filament's skeleton is at least this part of the usual longest. */
+	private static final double OPEN_LENGTH = 0.9;
+
+	/** The usual longest: this quantile of all frames' lengths. */
+	private static final double LONGEST = 0.9;
+
+	/** So many open frames over this part of the movie are enough to tell a change. */
+	private static final int ENOUGH = 4;
+	private static final double SPAN = 0.25;
 
 	/**
-	 * @param frame the frame
-	 * @param set its trails
-	 * @return the brightness above the background along the best trail; NaN if there is
-	 *         none
+	 * @param frames the frames, in order of time
+	 * @param sets their trails
 	 */
-	static double of(final FrameView frame, final CandidateSet set) {
-		if (set.candidates().isEmpty())
-			return Double.NaN;
-		final Polyline contour = ContourBuilder.smooth(set.candidates().get(0));
+	static StrandLight of(final List<FrameView> frames, final List<CandidateSet> sets) {
+		final List<Optional<Polyline>> contours = sets.stream()
+			.map(s -> s.candidates().stream().findFirst().map(ContourBuilder::smooth)).toList();
+		final double[] lengths = contours.stream().flatMap(Optional::stream)
+			.mapToDouble(Polyline::length).sorted().toArray();
+		final double longest = lengths.length == 0
+			? 0
+			: lengths[(int) (LONGEST * (lengths.length - 1))];
+		final int[] open = IntStream.range(0, frames.size())
+			.filter(t -> frames.get(t).graph().junctions() == 0
+				&& contours.get(t).filter(c -> c.length() >= OPEN_LENGTH * longest).isPresent())
+			.toArray();
+		final boolean enough = open.length >= ENOUGH
+			&& open[open.length - 1] - open[0] >= SPAN * (frames.size() - 1);
+		final double[] light = new double[frames.size()];
+		Arrays.fill(light, Double.NaN);
+		for (final int t : enough ? open : IntStream.range(0, frames.size()).toArray())
+			if (contours.get(t).isPresent())
+				light[t] = of(frames.get(t), contours.get(t).get());
+		return new StrandLight(light, enough);
+	}
+
+	private static double of(final FrameView frame, final Polyline contour) {
 		final double[] light = new double[contour.size()];
 		for (int i = 0; i < light.length; i++)
 			light[i] = frame.light().meanAround(contour.x(i), contour.y(i));

@@ -104,22 +104,30 @@ class SimulateCommandLineTest {
 		assertEquals(truth, Files.readString(out.resolve("contours.csv")));
 	}
 
-	@ParameterizedTest
 	@CsvSource(delimiter = '|', value = { //
-		"--length|0|The filament length must be 1 to 200 µm, but is 0.",
-		"--density|-1|The motor density must be 0 to 1000 motors per µm², but is -1.",
-		"--snr|loud|--snr must be a number, but is 'loud'.",
-		"--snr|nan|--snr must be a number, but is 'nan'.",
-		"--frames|1000000|The number of frames must be 2 to 10000, but is 1000000.",
-		"--frames|2.5|Invalid value for option '--frames': '2.5' is not an int (knotresolver simulate --help tells more)",
-		"--bits|12|--bits must be 8 or 16, but is 12.",
-		"--pixel-size|0|The pixel size must be 0.005 to 10 µm, but is 0.",
-		"--margin|-1|The margin must be 0 to 1000, but is -1.",
-		"--time-step|NaN|The time step must be 1.0E-5 to 0.1 s, but is NaN."})
+		"--length|0|must be 1 to 200 µm, but is 0; choose a value in that range.",
+		"--length|NaN|must be 1 to 200 µm, but is NaN; choose a value in that range.",
+		"--length|five|must be a number, but is 'five'.",
+		"--density|-1|must be 0 to 1000 motors per µm², but is -1; choose a value in that range.",
+		"--snr|loud|must be a number of dB from -30 to 100, or inf, but is 'loud'.",
+		"--snr|nan|must be a number of dB from -30 to 100, or inf, but is 'nan'.",
+		"--snr|200|must be -30 to 100 dB, but is 200; choose a value in that range.",
+		"--frames|1000000|must be 2 to 10000, but is 1000000; choose a value in that range.",
+		"--frames|1e6|must be a whole number, but is '1e6'.",
+		"--frames|2.5|must be a whole number, but is '2.5'.",
+		"--clamp|hard|must be pivot or direction or free, but is 'hard'.",
+		"--seed|x|must be a whole number, but is 'x'.",
+		"--bits|12|must be 8 or 16, but is 12; choose one of them.",
+		"--pixel-size|0|must be 0.005 to 10 µm, but is 0; choose a value in that range.",
+		"--margin|-1|must be 0 to 1000, but is -1; choose a value in that range.",
+		"--time-step|NaN|must be 1.0E-5 to 0.1 s, but is NaN; choose a value in that range.",
+		"--warm-up|-1|must be 0 to 100000 s, but is -1; choose a value in that range.",
+		"--motor-stiffness|0|must be 1 to 10000 pN/µm, but is 0; choose a value in that range."})
+	@ParameterizedTest
 	void wrongValuesAreOneSentenceAndStatus2(final String option, final String value,
 		final String sentence) throws IOException {
 		final Run run = run("simulate", "--out", out.toString(), option, value);
-		assertEquals(sentence, run.err.strip());
+		assertEquals(option + " " + sentence, run.err.strip());
 		assertEquals(2, run.status);
 		assertFalse(Files.exists(out));
 	}
@@ -129,7 +137,8 @@ class SimulateCommandLineTest {
 		Files.writeString(out, "a file");
 		final Run run = simulate();
 		assertEquals(2, run.status);
-		assertEquals(out + " is a file, but the result needs a folder; choose another name.",
+		assertEquals(
+			"--out " + out + " is a file, but the result needs a folder; choose another name.",
 			run.err.strip());
 	}
 
@@ -151,6 +160,13 @@ class SimulateCommandLineTest {
 		assertTrue(run.out.matches("(?s).*resolved \\(Frechet < 5 px\\) +100.0 %.*"), run.out);
 		assertEquals(6, Files.readAllLines(scores).size());
 		assertTrue(Files.readAllLines(scores).get(1).startsWith("1,1,0,1,1,"));
+		for (final String figure : List.of("position_error", "dice", "frechet"))
+			for (final String kind : List.of(".png", ".svg"))
+				assertTrue(Files.size(home.resolve("scores-" + figure + kind)) > 0, figure + kind);
+		final Path bare = home.resolve("bare.csv");
+		assertEquals(0, run("evaluate", "--truth", truth, "--result", truth, "--out",
+			bare.toString(), "--no-plots").status);
+		assertFalse(Files.exists(home.resolve("bare-dice.png")));
 	}
 
 	@Test
@@ -160,11 +176,21 @@ class SimulateCommandLineTest {
 			"frame,index,x_px,y_px\n1,0,1,1\n1,1,9,1\n");
 		assertRefused(
 			run("evaluate", "--truth", home + "/absent.csv", "--result", truth.toString()),
-			"There is no file " + home + "/absent.csv");
+			"--truth cannot be used: There is no file " + home + "/absent.csv; check the path.");
 		assertRefused(run("evaluate", "--truth", truth.toString(), "--result", text.toString()),
-			"must have the columns frame,index,x_px,y_px");
-		assertRefused(run("evaluate", "--truth", truth.toString(), "--result", truth.toString(),
-			"--out", home + "/no/where.csv"), "choose a file in a writable folder");
+			"--result cannot be used: " + text + " must have the columns frame,index,x_px,y_px");
+		final Path empty = Files.writeString(home.resolve("empty.csv"), "frame,index,x_px,y_px\n");
+		assertRefused(run("evaluate", "--truth", empty.toString(), "--result", truth.toString()),
+			"--truth has no frame to compare with; give contours");
+		final Path nan = Files.writeString(home.resolve("nan.csv"),
+			"frame,index,x_px,y_px\n1,0,1,1\n1,1,NaN,1\n");
+		assertRefused(run("evaluate", "--truth", nan.toString(), "--result", truth.toString()),
+			"--truth cannot be used: nan.csv, line 3: x_px must be a number, but is 'NaN'.");
+		assertRefused(
+			run("evaluate", "--truth", truth.toString(), "--result", truth.toString(), "--out",
+				home + "/no/where.csv"),
+			"--out " + home
+				+ "/no/where.csv cannot be written; choose a file in a writable folder.");
 		assertRefused(run("evaluate", "--truth", truth.toString()), "--result");
 	}
 

@@ -62,7 +62,7 @@ class EvaluationTest {
 			() -> Evaluation.of(new TreeMap<>(), new TreeMap<>(), Progress.NONE));
 		final SortedMap<Integer, Polyline> truth = new TreeMap<>();
 		truth.put(7, LINE.head(0));
-		assertEquals("The true contour of frame 7 has no length; it needs two points.",
+		assertEquals("truth has a contour without length in frame 7; give it two points or more.",
 			assertThrows(IllegalArgumentException.class,
 				() -> Evaluation.of(truth, new TreeMap<>(), Progress.NONE)).getMessage());
 	}
@@ -75,6 +75,7 @@ class EvaluationTest {
 		final ErrorHistogram h = ErrorHistogram.of(errors, 0.1);
 		assertEquals(1.5, h.gaussian().orElseThrow().mean(), 0.01);
 		assertEquals(0.3, h.gaussian().orElseThrow().sigma(), 0.01);
+		assertEquals(h.density()[15], h.gaussian().orElseThrow().at(1.55), 0.05);
 		double area = 0;
 		for (final double d : h.density())
 			area += d * 0.1;

@@ -102,4 +102,19 @@ public record DrawnMovie(Movie movie, List<Polyline> truth, LineModel model) {
 		Arrays.setAll(chains, t -> wave(t, length, amplitude));
 		return new ArrayList<>(Arrays.asList(chains));
 	}
+
+	/**
+	 * A straight filament that is pushed towards its clamp and winds up there.
+	 *
+	 * @param wound length that has wound up, in pixels
+	 * @param length in pixels
+	 * @param radius of the curl in pixels
+	 * @return the chain
+	 */
+	public static Chain winding(final double wound, final double length, final double radius) {
+		final double[] theta = new double[LINKS];
+		for (int i = 0; i < LINKS; i++)
+			theta[i] = 0.02 - Math.max(0, wound - (i + 0.5) * length / LINKS) / radius;
+		return new Chain(22.4, 55.3, theta, length / LINKS);
+	}
 }

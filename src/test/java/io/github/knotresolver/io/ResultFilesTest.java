@@ -73,7 +73,7 @@ class ResultFilesTest {
 		assertEquals(2, rows.size());
 		assertTrue(rows.get(1).startsWith("a movie.tif,3,2,10,10,0,10,10,µm,,,,Hz,"), rows.get(1));
 		assertTrue(rows.get(1).endsWith(
-			",\"fixed_end=2.0,5.0 threshold=otsu iterations=10 contraction_bias=0.4 smooth_factor=0.2 candidates=trails resolver=movie length=10.0 length_model=constant refine=true channel=1 z_as_time=false pixel_size=0.5 unit=µm frame_interval=2.0\""),
+			",\"fixed_end=2.0,5.0 threshold=otsu iterations=10 contraction_bias=0.4 smooth_factor=0.2 segmentation=both candidates=trails resolver=movie length=10.0 length_model=constant refine=true channel=1 z_as_time=false pixel_size=0.5 unit=µm frame_interval=2.0\""),
 			rows.get(1));
 	}
 
@@ -88,7 +88,8 @@ class ResultFilesTest {
 			Map.entry("refine", "false"), Map.entry("frames", "1-3"),
 			Map.entry("ignore_frames", "2"));
 		final Resolution resolution = resolution(RunOptions.parse(texts));
-		ParametersJson.write(home.resolve("p"), resolution, InputOptions.DEFAULT);
+		ParametersJson.write(home.resolve("p"), resolution, InputOptions.DEFAULT,
+			java.util.Optional.empty());
 		final JsonObject json = JsonParser.parseString(Files.readString(home.resolve("p")))
 			.getAsJsonObject();
 		final Map<String, String> read = new TreeMap<>();

@@ -15,11 +15,14 @@ import net.imglib2.type.logic.BitType;
 import net.imglib2.type.numeric.real.FloatType;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 import io.github.knotresolver.CancelledProgress;
 import io.github.knotresolver.image.Cleaning;
 import io.github.knotresolver.image.FrameCleaner;
 import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.mask.Segmentation.Steps;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.skeleton.EndPixels;
@@ -115,19 +118,21 @@ class FilamentSegmenterTest {
 	void givenThresholdIsUsedAsItIs() {
 		final Img<FloatType> frame = Pixels.image(new float[]{0.3f, 0.5f, 0.7f, 0.5f}, 2);
 		final FilamentSegmenter only = new FilamentSegmenter(
-			new Segmentation(OptionalDouble.of(0.6), 0, 0, 0), new LocalThreshold());
+			new Segmentation(Steps.BOTH, OptionalDouble.of(0.6), 0, 0, 0), new LocalThreshold());
 		assertEquals(0, ConnectedComponents.of(only.segment(frame)).objects().size(), "a speck");
 		assertArrayEquals(new boolean[]{false, false, true, false},
 			Pixels.bits(FixedThreshold.above(frame, 0.6)));
 		assertThrows(IllegalArgumentException.class, () -> new FixedThreshold(1.5));
 	}
 
-	@Test
-	void noIterationsLeaveTheThresholdsMask() {
+	@ParameterizedTest
+	@CsvSource({"BOTH,0", "THRESHOLD,10"})
+	void withoutContourTheThresholdsMaskStays(final Steps steps, final int iterations) {
 		final Picture picture = new Picture();
 		picture.line(20, 35, 70, 35, 1);
 		final Img<FloatType> frame = picture.clean(5);
-		final Segmentation none = new Segmentation(OptionalDouble.empty(), 0, 0.4, 0.2);
+		final Segmentation none = new Segmentation(steps, OptionalDouble.empty(), iterations, 0.4,
+			0.2);
 		assertArrayEquals(
 			Pixels.bits(MaskRepair.fillPinHoles(
 				MaskRepair.removeSpecks(FixedThreshold.above(frame, OtsuThreshold.of(frame)),

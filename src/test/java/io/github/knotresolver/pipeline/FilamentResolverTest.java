@@ -12,6 +12,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import java.util.stream.IntStream;
 
 import net.imglib2.img.array.ArrayImgs;
 
@@ -55,6 +56,24 @@ class FilamentResolverTest {
 		assertFollows(drawn, result, Set.of());
 		assertEquals(LENGTH, result.length(), 0.01 * LENGTH);
 		assertEquals(0, result.fixedEnd().orElseThrow().distanceTo(new Point(22.4, 55.3)), 1);
+	}
+
+	@Test
+	void aFilamentThatWindsUpDoesNotSeemToBrighten() {
+		final List<Chain> chains = IntStream.range(0, 24)
+			.mapToObj(t -> DrawnMovie.winding(3.2 * t, 75, 7)).toList();
+		final DrawnMovie drawn = DrawnMovie.draw(chains, List.of(), GAUSSIAN, NOISE, 31);
+		assertFollows(drawn, resolve(drawn, Parameters.DEFAULT), Set.of());
+	}
+
+	@Test
+	void aFilamentThatSlidesFarBetweenFramesIsFollowed() {
+		final List<Chain> chains = IntStream.range(0, 5)
+			.mapToObj(t -> DrawnMovie.winding(16 * t, 80, 9)).toList();
+		final DrawnMovie drawn = DrawnMovie.draw(chains, List.of(), GAUSSIAN, NOISE, 32);
+		final Resolution result = resolve(drawn, Parameters.DEFAULT);
+		assertEquals(0, result.fixedEnd().orElseThrow().distanceTo(new Point(22.4, 55.3)), 1);
+		assertFollows(drawn, result, Set.of());
 	}
 
 	@Test

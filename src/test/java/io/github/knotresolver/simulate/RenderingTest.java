@@ -164,7 +164,7 @@ class RenderingTest {
 	void aHugeViewIsRefused() {
 		final Trajectory trajectory = new Trajectory(List.of(line(0, 0, 50, 50)), 1);
 		assertEquals(
-			"A pixel size of 0.005 µm makes frames of 10001 x 10001 pixels; choose larger pixels.",
+			"pixel_size 0.005 µm makes frames of 10001 x 10001 pixels, more than 40 million; choose larger pixels.",
 			assertThrows(IllegalArgumentException.class, () -> Canvas.around(trajectory, 0.005, 0))
 				.getMessage());
 	}

@@ -21,19 +21,19 @@ class SimulationParametersTest {
 	static Stream<Arguments> wrongValues() {
 		return Stream.of( //
 			wrong(() -> FilamentProperties.microtubule(0),
-				"The filament length must be 1 to 200 µm, but is 0."), //
+				"length must be 1 to 200 µm, but is 0; choose a value in that range."), //
 			wrong(() -> FilamentProperties.microtubule(Double.NaN),
-				"The filament length must be 1 to 200 µm, but is NaN."), //
+				"length must be 1 to 200 µm, but is NaN; choose a value in that range."), //
 			wrong(() -> MotorProperties.dynein(-1),
-				"The motor density must be 0 to 1000 motors per µm², but is -1."), //
+				"density must be 0 to 1000 motors per µm², but is -1; choose a value in that range."), //
 			wrong(() -> new Schedule(300, 1_000_000, 0.005, 0),
-				"The number of frames must be 2 to 10000, but is 1000000."), //
+				"frames must be 2 to 10000, but is 1000000; choose a value in that range."), //
 			wrong(() -> new Schedule(300, 120, 0, 0),
-				"The time step must be 1.0E-5 to 0.1 s, but is 0."), //
+				"time_step must be 1.0E-5 to 0.1 s, but is 0; choose a value in that range."), //
 			wrong(() -> new PaperRenderer(Double.NaN, 1),
-				"The signal-to-noise ratio must be -30 to 100 dB, but is NaN."), //
+				"snr must be -30 to 100 dB, but is NaN; choose a value in that range."), //
 			wrong(() -> new Optics(1.5, 100, -3, 2, 10, 0, 1, 0),
-				"The background must be 0 to 1000000 photons, but is -3."));
+				"background must be 0 to 1000000 photons, but is -3; choose a value in that range."));
 	}
 
 	@ParameterizedTest(name = "{0}")

@@ -75,14 +75,24 @@ public final class Figures {
 			final boolean square = chart.getKey().equals(CONTOURS);
 			final int width = square ? SQUARE_WIDTH : WIDTH;
 			final int height = square ? SQUARE_HEIGHT : HEIGHT;
-			final Path png = folder.resolve(chart.getKey() + ".png");
-			Files.write(png, png(chart.getValue(), width, height));
-			final Path svg = folder.resolve(chart.getKey() + ".svg");
-			Files.writeString(svg, svg(chart.getValue(), width, height), StandardCharsets.UTF_8);
-			files.addAll(List.of(png, svg));
+			files.addAll(write(folder, chart.getKey(), chart.getValue(), width, height));
 		}
 		progress.report("Drawing figures", 1);
 		return files;
+	}
+
+	/** Writes one chart as PNG and SVG, of the usual size. */
+	static List<Path> write(final Path folder, final String name, final JFreeChart chart)
+		throws IOException {
+		return write(folder, name, chart, WIDTH, HEIGHT);
+	}
+
+	private static List<Path> write(final Path folder, final String name, final JFreeChart chart,
+		final int width, final int height) throws IOException {
+		final Path png = folder.resolve(name + ".png"), svg = folder.resolve(name + ".svg");
+		Files.write(png, png(chart, width, height));
+		Files.writeString(svg, svg(chart, width, height), StandardCharsets.UTF_8);
+		return List.of(png, svg);
 	}
 
 	/**

@@ -1,0 +1,58 @@
+package io.github.knotresolver.evaluate.like;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.pipeline.Parameters;
+
+/**
+ * A user's finished result: what the simulated movies are to resemble.
+ *
+ * @param movie the movie it was made from
+ * @param contours one entry a frame of the movie, in pixels, fixed end first;
+ *          empty where a frame has none
+ * @param parameters what it was resolved with
+ */
+public record LikeSource(Movie movie, List<Optional<Polyline>> contours, Parameters parameters) {
+
+	/** Fewest pairs of neighbouring frames that tell a motion. */
+	private static final int FEWEST_PAIRS = 2;
+
+	/**
+	 * @throws IllegalArgumentException if movie and contours do not belong
+	 *           together, or tell too little, in one sentence
+	 */
+	public LikeSource {
+		contours = List.copyOf(contours);
+		if (contours.size() != movie.size())
+			throw new IllegalArgumentException(
+				"movie '" + movie.name() + "' has " + movie.size() + " frames, but the result has "
+					+ contours.size() + "; name the movie that the result was made from.");
+		final List<Optional<Polyline>> all = contours;
+		if (IntStream.range(1, all.size())
+			.filter(t -> all.get(t - 1).isPresent() && all.get(t).isPresent())
+			.count() < FEWEST_PAIRS)
+			throw new IllegalArgumentException("like has contours in fewer than "
+				+ (FEWEST_PAIRS + 1)
+				+ " neighbouring frames, too few to see how the filament moves; resolve a longer part of the movie.");
+		micrometres(movie.calibration().unit());
+	}
+
+	/** @return edge of a pixel in µm */
+	double pixelSize() {
+		return movie.calibration().pixelSize() * micrometres(movie.calibration().unit());
+	}
+
+	private static double micrometres(final String unit) {
+		return switch (unit) {
+			case "µm" -> 1;
+			case "nm" -> 1e-3;
+			case "mm" -> 1e3;
+			default -> throw new IllegalArgumentException("like is a result in the unit '" + unit
+				+ "', but a simulation needs micrometres; resolve the movie again and tell its pixel size.");
+		};
+	}
+}

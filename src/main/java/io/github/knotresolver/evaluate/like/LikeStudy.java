@@ -1,0 +1,199 @@
+package io.github.knotresolver.evaluate.like;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.TreeSet;
+
+import io.github.knotresolver.evaluate.Evaluation;
+import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.pipeline.Parameters;
+import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.simulate.Canvas;
+import io.github.knotresolver.simulate.FilamentSimulator;
+import io.github.knotresolver.simulate.SimulatedMovie;
+import io.github.knotresolver.simulate.Trajectory;
+
+/**
+ * Simulates movies that resemble a user's, resolves them with the user's
+ * parameters and scores them.
+ * <p>
+ * The same seed gives the same result, whatever the number of threads. Cost:
+ * twelve simulations to find the motion; then a simulation and a resolution for
+ * every movie.
+ */
+public final class LikeStudy {
+
+	/** Movies if nothing else is said. */
+	public static final int MOVIES = 10;
+
+	private static final int MOST_MOVIES = 1000, MARGIN = 20;
+
+	/** The filament's light ends this many widths from its middle. */
+	private static final double REACH = 1.5;
+
+	/** What turns a movie into a result. */
+	@FunctionalInterface
+	public interface Engine {
+
+		/**
+		 * @param movie the movie
+		 * @param parameters what decides the result
+		 * @param progress may cancel
+		 * @return the result
+		 * @throws IllegalArgumentException if no filament is found
+		 */
+		Resolution resolve(Movie movie, Parameters parameters, Progress progress);
+	}
+
+	private final LikeSource source;
+	private final Engine engine;
+	private final Appearance look;
+	private final Motion motion;
+	private final Backdrop backdrop;
+
+	/**
+	 * Measures the user's movie.
+	 *
+	 * @param source the user's result
+	 * @param engine what resolves the simulated movies
+	 * @param progress may cancel
+	 * @throws IllegalArgumentException if the movie shows no line along the
+	 *           contours, in one sentence
+	 */
+	public LikeStudy(final LikeSource source, final Engine engine, final Progress progress) {
+		this.source = source;
+		this.engine = engine;
+		progress.report("Measuring the movie", 0);
+		look = AppearanceMeter.of(source.movie(), source.contours(), progress);
+		motion = Motion.of(source.contours(), look.width());
+		backdrop = new Backdrop(source.movie(), source.contours(), REACH * look.width() + 1,
+			look.background());
+	}
+
+	/**
+	 * @param movies how many, 1 to 1000
+	 * @throws IllegalArgumentException if it is another number, in one sentence
+	 */
+	public static void check(final int movies) {
+		if (movies < 1 || movies > MOST_MOVIES)
+			throw new IllegalArgumentException("movies must be a whole number from 1 to "
+				+ MOST_MOVIES + ", but is " + movies + ".");
+	}
+
+	/**
+	 * Does everything.
+	 *
+	 * @param movies how many, 1 to 1000
+	 * @param seed start of the random numbers
+	 * @param progress told how far it is; may cancel
+	 * @return the movies' scores
+	 */
+	public LikeResult run(final int movies, final long seed, final Progress progress) {
+		check(movies);
+		try (Workers workers = new Workers(source.parameters().threads())) {
+			final LikeMotion like = new MotionSearch(source, motion, look.width()).search(seed,
+				workers, progress);
+			final List<LikeMovie> done = workers.map("Simulating and resolving", progress, movies,
+				i -> one(like, seed + 1 + i, new CancelOnly(progress)));
+			return new LikeResult(source, like, traits(), done, seed);
+		}
+	}
+
+	private LikeTraits traits() {
+		return LikeTraits.of(source.movie(), source.contours(), look, motion);
+	}
+
+	/**
+	 * Simulates one movie.
+	 *
+	 * @param like what to simulate
+	 * @param seed start of the random numbers
+	 * @param progress may cancel
+	 * @return the movie with its truth
+	 */
+	public SimulatedMovie movie(final LikeMotion like, final long seed, final Progress progress) {
+		return movie(like, new Backdrop(source.movie(), source.contours(), REACH * look.width() + 1,
+			look.background()), seed, progress);
+	}
+
+	private SimulatedMovie movie(final LikeMotion like, final Backdrop backdrop, final long seed,
+		final Progress progress) {
+		final Trajectory straight = new FilamentSimulator(
+			like.simulation(source.movie().size(), seed)).run(progress);
+		final Polyline first = source.contours().stream().flatMap(Optional::stream).findFirst()
+			.orElseThrow();
+		final Calibration c = source.movie().calibration();
+		final Trajectory turned = new Trajectory(straight.curves().stream()
+			.map(curve -> turned(curve, MotionSearch.direction(first))).toList(),
+			c.frameInterval());
+		final Canvas canvas = Canvas.around(turned, source.pixelSize(), MARGIN);
+		final GreyScale scale = GreyScale.of(source.movie(), look.range());
+		final SimulatedMovie drawn = SimulatedMovie.render("like-" + seed, turned, canvas,
+			new LikeRenderer(backdrop, look, scale, first.first(), seed), scale.depth(), progress);
+		return new SimulatedMovie(new Movie(drawn.movie().name(), drawn.movie().frames(), c),
+			drawn.truth());
+	}
+
+	private static Polyline turned(final Polyline curve, final double angle) {
+		final double cos = StrictMath.cos(angle), sin = StrictMath.sin(angle);
+		final double[] x = new double[curve.size()], y = new double[curve.size()];
+		for (int i = 0; i < x.length; i++) {
+			x[i] = cos * curve.x(i) - sin * curve.y(i);
+			y[i] = sin * curve.x(i) + cos * curve.y(i);
+		}
+		return Polyline.of(x, y);
+	}
+
+	private LikeMovie one(final LikeMotion like, final long seed, final Progress progress) {
+		final SimulatedMovie simulated = movie(like, seed, progress);
+		final SortedMap<Integer, Polyline> truth = new TreeMap<>(), found = new TreeMap<>();
+		for (int t = 0; t < simulated.truth().size(); t++)
+			truth.put(t + 1, simulated.truth().get(t));
+		final List<Double> confidence = new ArrayList<>();
+		final Optional<Resolution> result = resolve(simulated, progress);
+		for (int t = 0; t < truth.size(); t++) {
+			final int frame = t;
+			result.ifPresent(r -> r.frames().get(frame).contour()
+				.ifPresent(contour -> found.put(frame + 1, contour)));
+			confidence.add(result.map(r -> r.frames().get(frame).confidence()).orElse(Double.NaN));
+		}
+		return new LikeMovie(seed, Evaluation.of(truth, found, progress),
+			simulated.truth().stream().map(c -> Shape.of(c, look.width()).knotted()).toList(),
+			confidence, traits(simulated, progress));
+	}
+
+	private LikeTraits traits(final SimulatedMovie simulated, final Progress progress) {
+		final List<Optional<Polyline>> truth = simulated.truth().stream().map(Optional::of)
+			.toList();
+		final Appearance own = GreyScale.of(source.movie(), look.range())
+			.undone(AppearanceMeter.of(simulated.movie(), truth, progress));
+		return LikeTraits.of(simulated.movie(), truth, own, Motion.of(truth, look.width()));
+	}
+
+	/** A movie in which no filament is found is one without contours. */
+	private Optional<Resolution> resolve(final SimulatedMovie simulated, final Progress progress) {
+		try {
+			return Optional.of(engine.resolve(simulated.movie(), parameters(simulated), progress));
+		} catch (final IllegalArgumentException e) {
+			return Optional.empty();
+		}
+	}
+
+	/** The user's, in one thread; what was told of places and frames cannot be told again. */
+	private Parameters parameters(final SimulatedMovie simulated) {
+		final Parameters p = source.parameters();
+		final Polyline first = simulated.truth().get(0);
+		return new Parameters(p.fixedEnd().map(told -> first.first()), p.cleaning(),
+			p.segmentation(), p.candidates(), p.resolver(),
+			p.length().isPresent() ? OptionalDouble.of(first.length()) : OptionalDouble.empty(),
+			p.lengthModel(), p.refine(), new TreeSet<>(), new TreeSet<>(), java.util.Map.of(), 1);
+	}
+}

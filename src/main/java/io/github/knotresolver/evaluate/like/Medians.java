@@ -1,0 +1,30 @@
+package io.github.knotresolver.evaluate.like;
+
+import java.util.Arrays;
+
+import org.apache.commons.math3.stat.descriptive.rank.Median;
+
+/** Medians, and spreads that outliers leave alone. */
+final class Medians {
+
+	/** Of a Gaussian: standard deviation over median magnitude. */
+	private static final double GAUSSIAN = 1.4826;
+
+	private Medians() {
+	}
+
+	/** @return the median; NaN of nothing */
+	static double of(final double[] values) {
+		return new Median().evaluate(values);
+	}
+
+	/** @return the median of the first {@code count} values */
+	static double of(final double[] values, final int count) {
+		return of(Arrays.copyOf(values, count));
+	}
+
+	/** @return the standard deviation of values around 0, from their median magnitude */
+	static double spread(final double[] values) {
+		return GAUSSIAN * of(Arrays.stream(values).map(Math::abs).toArray());
+	}
+}

@@ -1,0 +1,92 @@
+package io.github.knotresolver.evaluate.like;
+
+import java.util.List;
+import java.util.Optional;
+
+import io.github.knotresolver.geometry.Polyline;
+
+/**
+ * How a filament moves, in figures that simulated and real movies share: medians
+ * over frames or over pairs of neighbouring frames, if nothing else is said.
+ *
+ * @param tipStep way of the free tip between frames in pixels
+ * @param contourStep mean way between frames of all points at equal arc length,
+ *          in pixels
+ * @param knotted share of the frames in which the filament comes nearer to
+ *          itself than the width of its line, or crosses itself; 0..1
+ * @param extension end-to-end distance over length, 0..1
+ * @param straightest the largest such share of all frames
+ * @param turning how far the tangent turns along the filament, whichever way, in
+ *          full turns
+ */
+public record Motion(double tipStep, double contourStep, double knotted, double extension,
+	double straightest, double turning) {
+
+	/** Steps below this, in pixels, cannot be told from noise. */
+	private static final double LEAST_STEP = 0.1;
+
+	/** Bending below this, in turns, is no different from straight. */
+	private static final double LEAST_TURNING = 0.1;
+
+	private static final double KNOTTED = 2, EXTENSION = 1;
+
+	/**
+	 * @param contours one entry a frame; empty where a frame has none
+	 * @param width of the line in pixels
+	 * @return the motion; NaN where nothing tells it
+	 */
+	static Motion of(final List<Optional<Polyline>> contours, final double width) {
+		return ofShapes(
+			contours.stream().map(c -> c.map(p -> Shape.of(p, width)).orElse(null)).toList());
+	}
+
+	/** Shapes may be null: a frame without contour. */
+	static Motion ofShapes(final List<Shape> shapes) {
+		final double[] tip = new double[Math.max(0, shapes.size() - 1)];
+		final double[] whole = new double[tip.length];
+		int pairs = 0;
+		for (int t = 1; t < shapes.size(); t++) {
+			if (shapes.get(t) == null || shapes.get(t - 1) == null)
+				continue;
+			tip[pairs] = shapes.get(t).tipWay(shapes.get(t - 1));
+			whole[pairs++] = shapes.get(t).meanWay(shapes.get(t - 1));
+		}
+		final List<Shape> present = shapes.stream().filter(s -> s != null).toList();
+		return new Motion(Medians.of(tip, pairs), Medians.of(whole, pairs),
+			present.stream().mapToDouble(s -> s.knotted() ? 1 : 0).average().orElse(Double.NaN),
+			Medians.of(present.stream().mapToDouble(Shape::extension).toArray()),
+			present.stream().mapToDouble(Shape::extension).max().orElse(Double.NaN),
+			Medians.of(present.stream().mapToDouble(Shape::turning).toArray()));
+	}
+
+	/**
+	 * How unlike two motions are: squared differences, of steps and turning in
+	 * their logarithms, of the rest as they are.
+	 *
+	 * @param other another motion
+	 * @return 0 if they are alike
+	 */
+	double unlike(final Motion other) {
+		final double tip = ratio(tipStep, other.tipStep, LEAST_STEP);
+		final double whole = ratio(contourStep, other.contourStep, LEAST_STEP);
+		final double bent = ratio(turning, other.turning, LEAST_TURNING);
+		final double knots = KNOTTED * (knotted - other.knotted);
+		final double ends = EXTENSION * (extension - other.extension);
+		final double straight = EXTENSION * (straightest - other.straightest);
+		return tip * tip + whole * whole + bent * bent + knots * knots + ends * ends
+			+ straight * straight;
+	}
+
+	/**
+	 * @param pixelSize edge of a pixel, in the unit of the steps
+	 * @return the same with steps in pixels
+	 */
+	Motion inPixels(final double pixelSize) {
+		return new Motion(tipStep / pixelSize, contourStep / pixelSize, knotted, extension,
+			straightest, turning);
+	}
+
+	private static double ratio(final double a, final double b, final double least) {
+		return Math.log(Math.max(a, least) / Math.max(b, least));
+	}
+}

@@ -1,0 +1,60 @@
+package io.github.knotresolver.imagej;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+
+import javax.imageio.ImageIO;
+
+import io.github.knotresolver.evaluate.FrameScore;
+import io.github.knotresolver.evaluate.like.LikeResult;
+import io.github.knotresolver.evaluate.like.LikeStudy;
+import io.github.knotresolver.imagej.plot.ScoreFigures;
+import io.github.knotresolver.io.LikeJson;
+import io.github.knotresolver.io.LikeTables;
+import io.github.knotresolver.io.ParametersJson;
+import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.simulate.SimulatedMovie;
+
+/** A study of movies like a user's as a folder of tables and figures. */
+public final class LikeFolder {
+
+	/** The name of the picture that shows both movies. */
+	public static final String COMPARISON = "comparison.png";
+
+	private LikeFolder() {
+	}
+
+	/**
+	 * Writes a complete folder or nothing.
+	 *
+	 * @param study what was run
+	 * @param result what came of it
+	 * @param out the wanted folder
+	 * @param overwrite whether an earlier one may be replaced
+	 * @param plots whether figures are drawn
+	 * @param progress may cancel; nothing is left then
+	 * @throws IOException if the disk says no
+	 */
+	public static void write(final LikeStudy study, final LikeResult result, final Path out,
+		final boolean overwrite, final boolean plots, final Progress progress) throws IOException {
+		try (ResultFolder folder = ResultFolder.prepare(out, overwrite)) {
+			LikeTables.write(folder.path(), result);
+			LikeJson.write(folder.path().resolve(ParametersJson.FILE), result);
+			if (plots) {
+				final List<List<FrameScore>> frames = result.movies().stream()
+					.map(m -> m.evaluation().frames()).toList();
+				ScoreFigures.write(folder.path(), "", frames, result.positionErrors(), progress);
+				final SimulatedMovie first = study.movie(result.motion(),
+					result.movies().get(0).seed(), progress);
+				final BufferedImage picture = SideBySide.of(result.source().movie(), first.movie());
+				if (!ImageIO.write(picture, "png", folder.path().resolve(COMPARISON).toFile()))
+					throw new IOException("This Java cannot write PNG pictures.");
+			}
+			progress.checkCancelled();
+			folder.commit();
+		}
+	}
+}

@@ -1,0 +1,52 @@
+package io.github.knotresolver.imagej;
+
+import java.nio.file.Path;
+
+import io.github.knotresolver.evaluate.like.LikeSource;
+import io.github.knotresolver.evaluate.like.LikeStudy;
+import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.io.ResolvedRun;
+import io.github.knotresolver.progress.Progress;
+
+/** From a user's result folder to the study of movies like it. */
+public final class LikeRun {
+
+	private LikeRun() {
+	}
+
+	/**
+	 * @param folder a result folder
+	 * @param movie the movie that it was made from; null for the file that the
+	 *          result tells
+	 * @return the result and its movie
+	 * @throws IllegalArgumentException if they cannot be read or do not belong
+	 *           together, in one sentence
+	 */
+	public static LikeSource source(final Path folder, final Path movie) {
+		final ResolvedRun run = ResolvedRun.read(folder);
+		final Movie opened = open(run, movie);
+		return new LikeSource(opened, run.contours().contours(), run.options().parameters(opened));
+	}
+
+	private static Movie open(final ResolvedRun run, final Path named) {
+		final Path file = run.movieFile(named);
+		try {
+			return ImageMovie.of(ImageFile.open(file), run.options().input());
+		} catch (final IllegalArgumentException e) {
+			throw new IllegalArgumentException("movie cannot be used: " + e.getMessage(), e);
+		}
+	}
+
+	/**
+	 * @param source a result and its movie
+	 * @param engine what resolves the simulated movies
+	 * @param progress may cancel
+	 * @return the study, to be run
+	 * @throws IllegalArgumentException if the movie shows no line along the
+	 *           contours, in one sentence
+	 */
+	public static LikeStudy study(final LikeSource source, final Engine engine,
+		final Progress progress) {
+		return new LikeStudy(source, engine::resolve, progress);
+	}
+}

@@ -1,0 +1,161 @@
+package io.github.knotresolver.imagej.plot;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.geom.Ellipse2D;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.ToDoubleFunction;
+
+import org.jfree.chart.JFreeChart;
+import org.jfree.chart.axis.NumberAxis;
+import org.jfree.chart.axis.NumberTickUnit;
+import org.jfree.chart.plot.DatasetRenderingOrder;
+import org.jfree.chart.plot.ValueMarker;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.renderer.xy.StandardXYBarPainter;
+import org.jfree.chart.renderer.xy.XYBarRenderer;
+import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
+import org.jfree.data.xy.XYBarDataset;
+import org.jfree.data.xy.XYSeries;
+import org.jfree.data.xy.XYSeriesCollection;
+
+import io.github.knotresolver.evaluate.CurveScore;
+import io.github.knotresolver.evaluate.ErrorHistogram;
+import io.github.knotresolver.evaluate.FrameScore;
+import io.github.knotresolver.progress.Progress;
+
+/**
+ * The figures of an evaluation: histogram of the position errors with the
+ * Gaussian that fits it, Dice index and Frechet distance of every frame.
+ */
+public final class ScoreFigures {
+
+	private static final double DOT = 5;
+	private static final int CURVE_POINTS = 300;
+
+	private ScoreFigures() {
+	}
+
+	/**
+	 * The figures as charts, by file name without ending: {@code position_error,
+	 * dice, frechet}. The first is left out if no frame has a contour.
+	 *
+	 * @param movies the frames of one movie, or of several
+	 * @param errors their position errors in pixels
+	 * @return the charts, in a fixed order
+	 */
+	public static Map<String, JFreeChart> charts(final List<List<FrameScore>> movies,
+		final double[] errors) {
+		final Map<String, JFreeChart> charts = new LinkedHashMap<>();
+		if (errors.length > 0)
+			charts.put("position_error", histogram(errors));
+		final JFreeChart dice = perFrame(movies, "Dice index", "", CurveScore::dice);
+		final NumberAxis share = (NumberAxis) dice.getXYPlot().getRangeAxis();
+		share.setRange(0, 1.02);
+		share.setTickUnit(new NumberTickUnit(0.2));
+		charts.put("dice", dice);
+		final JFreeChart frechet = perFrame(movies, "Fréchet distance", "px", CurveScore::frechet);
+		final ValueMarker limit = new ValueMarker(CurveScore.RESOLVED_BELOW, ChartStyle.ACCENT,
+			new BasicStroke(1.5f));
+		frechet.getXYPlot().addRangeMarker(limit);
+		includeZero(frechet);
+		charts.put("frechet", frechet);
+		return charts;
+	}
+
+	/**
+	 * Writes every chart as PNG and SVG. Works without a display.
+	 *
+	 * @param folder an existing folder
+	 * @param prefix what their names begin with; may be empty
+	 * @param movies the frames of one movie, or of several
+	 * @param errors their position errors in pixels
+	 * @param progress may cancel
+	 * @throws IOException if the disk says no
+	 */
+	public static void write(final Path folder, final String prefix,
+		final List<List<FrameScore>> movies, final double[] errors, final Progress progress)
+		throws IOException {
+		for (final Map.Entry<String, JFreeChart> chart : charts(movies, errors).entrySet()) {
+			progress.checkCancelled();
+			Figures.write(folder, prefix + chart.getKey(), chart.getValue());
+		}
+	}
+
+	private static JFreeChart histogram(final double[] errors) {
+		final ErrorHistogram histogram = ErrorHistogram.of(errors, ErrorHistogram.FINE_BIN);
+		final double most = HistogramRange.of(errors);
+		final double[] density = histogram.density();
+		final XYSeries bars = new XYSeries("measured");
+		for (int i = 0; i < density.length && i * histogram.binWidth() < most; i++)
+			bars.add((i + 0.5) * histogram.binWidth(), density[i]);
+		final NumberAxis x = ChartStyle.axis(HistogramRange.label(errors, most), "px");
+		final NumberAxis y = ChartStyle.axis("Probability density", "1/px");
+		y.setAutoRangeIncludesZero(true);
+		final XYPlot plot = new XYPlot(
+			new XYBarDataset(new XYSeriesCollection(bars), histogram.binWidth()), x, y, bars());
+		histogram.gaussian().ifPresent(g -> {
+			final XYSeries curve = new XYSeries("Gaussian");
+			for (int i = 0; i <= CURVE_POINTS; i++)
+				curve.add(most * i / CURVE_POINTS, g.at(most * i / CURVE_POINTS));
+			plot.setDataset(1, new XYSeriesCollection(curve));
+			plot.setRenderer(1, line());
+		});
+		plot.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD);
+		x.setRange(0, most);
+		x.setTickUnit(new NumberTickUnit(HistogramRange.tick(most)));
+		return ChartStyle.chart(plot);
+	}
+
+	private static XYBarRenderer bars() {
+		final XYBarRenderer bars = new XYBarRenderer();
+		bars.setBarPainter(new StandardXYBarPainter());
+		bars.setShadowVisible(false);
+		bars.setDrawBarOutline(true);
+		bars.setSeriesOutlinePaint(0, Color.WHITE);
+		bars.setSeriesPaint(0, ChartStyle.LINE);
+		return bars;
+	}
+
+	private static XYLineAndShapeRenderer line() {
+		final XYLineAndShapeRenderer line = new XYLineAndShapeRenderer(true, false);
+		line.setSeriesPaint(0, ChartStyle.ACCENT);
+		line.setSeriesStroke(0, new BasicStroke(2.5f));
+		return line;
+	}
+
+	/** Dots, one series a movie; a frame without a contour has none. */
+	private static JFreeChart perFrame(final List<List<FrameScore>> movies, final String label,
+		final String unit, final ToDoubleFunction<CurveScore> figure) {
+		final XYSeriesCollection dots = new XYSeriesCollection();
+		final XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(movies.size() == 1,
+			true);
+		for (int m = 0; m < movies.size(); m++) {
+			final XYSeries series = new XYSeries(m);
+			for (final FrameScore f : movies.get(m)) {
+				final double value = figure.applyAsDouble(f.score());
+				series.add(f.frame(), Double.isFinite(value) ? (Double) value : null);
+			}
+			dots.addSeries(series);
+			renderer.setSeriesPaint(m, ChartStyle.LINE);
+			renderer.setSeriesStroke(m, new BasicStroke(1.2f));
+			renderer.setSeriesShape(m, new Ellipse2D.Double(-DOT / 2, -DOT / 2, DOT, DOT));
+		}
+		final NumberAxis x = ChartStyle.axis("Frame", ""), y = ChartStyle.axis(label, unit);
+		x.setStandardTickUnits(NumberAxis.createIntegerTickUnits());
+		return ChartStyle.chart(new XYPlot(dots, x, y, renderer));
+	}
+
+	/** From 0 to a little more than the largest value, and past the limit. */
+	private static void includeZero(final JFreeChart chart) {
+		final NumberAxis axis = (NumberAxis) chart.getXYPlot().getRangeAxis();
+		final double most = chart.getXYPlot().getDataRange(axis) == null
+			? 0
+			: chart.getXYPlot().getDataRange(axis).getUpperBound();
+		axis.setRange(0, 1.05 * Math.max(CurveScore.RESOLVED_BELOW + 1, most));
+	}
+}
