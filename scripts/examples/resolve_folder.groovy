@@ -15,3 +15,4 @@ input.listFiles().findAll { it.name.toLowerCase().endsWith(".tif") }.sort().each
 		? command.getCancelReason()
 		: module.getOutput("resolution").resolved() + " frames resolved"))
 }
+println("Results: " + out)

@@ -18,6 +18,9 @@ final class ResolveOptions {
 	@Option(names = "--fixed-end", paramLabel = "X,Y", description = "Clamped end in pixels [found automatically].")
 	private String fixedEnd;
 
+	@Option(names = "--region", paramLabel = "X,Y,W,H", description = "Search only there: left column, upper row, width, height in pixels [everywhere].")
+	private String region;
+
 	@Option(names = "--threshold", paramLabel = "T", description = "Intensity 0..1 above which a pixel starts as filament, or otsu [otsu].")
 	private String threshold;
 

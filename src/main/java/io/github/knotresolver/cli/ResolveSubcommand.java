@@ -11,6 +11,7 @@ import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.imagej.ResultWriter;
+import io.github.knotresolver.imagej.RoiConverter;
 import io.github.knotresolver.imagej.SampleMovie;
 import io.github.knotresolver.io.MeasuredResolution;
 import io.github.knotresolver.io.ResultFolder;
@@ -79,8 +80,10 @@ final class ResolveSubcommand implements Callable<Integer> {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
 		}
 		final MeasuredResolution result = MeasuredResolution
-			.of(engine.resolve(input, parameters, progress), progress);
-		new ResultWriter(result, run.input(), image).write(out, force, plots, progress);
+			.of(engine.within(run.input().region()).resolve(input, parameters, progress), progress);
+		final RoiConverter rois = RoiConverter.forImage(image, run.input().channel());
+		new ResultWriter(result, run.input(), rois, ImageFile.of(image)).write(out, force, plots,
+			progress);
 		final PrintWriter stdout = spec.commandLine().getOut();
 		RunReport.lines(result).forEach(stdout::println);
 		stdout.println("Result: " + out + " (look at montage.png first).");

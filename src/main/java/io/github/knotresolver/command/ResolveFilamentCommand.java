@@ -3,6 +3,7 @@ package io.github.knotresolver.command;
 import java.awt.GraphicsEnvironment;
 import java.io.File;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -24,7 +25,6 @@ import io.github.knotresolver.imagej.ContourTables;
 import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageMovie;
-import io.github.knotresolver.imagej.Region;
 import io.github.knotresolver.imagej.ResultDisplay;
 import io.github.knotresolver.imagej.ResultWriter;
 import io.github.knotresolver.imagej.RoiConverter;
@@ -37,6 +37,7 @@ import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.io.RunReport;
 import io.github.knotresolver.pipeline.Parameters;
+import io.github.knotresolver.pipeline.Region;
 import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.Progress;
 
@@ -45,7 +46,8 @@ import io.github.knotresolver.progress.Progress;
  * file or in the active image, whose pixels are never changed. A point selection
  * in the image is the fixed end, an area selection limits the search. Contours
  * go to the image's overlay and, with a display, to the ROI Manager and two
- * tables; with {@code out}, a result folder is written.
+ * tables; without one, the table of frames becomes ImageJ's Results. With
+ * {@code out}, a result folder is written.
  * <p>
  * Input that cannot be used cancels the Command, with the sentence as the
  * reason, which is logged as well.
@@ -61,6 +63,9 @@ public class ResolveFilamentCommand extends KnotCommand {
 
 	@Parameter(label = "Fixed end (x,y in pixels)", description = "Empty for the image's point selection or, without one, to have it found", required = false, persist = false)
 	private String fixed_end = "";
+
+	@Parameter(label = "Region (x,y,width,height)", description = "Where to search; empty for the image's area selection or, without one, everywhere", required = false, persist = false)
+	private String region = "";
 
 	@Parameter(label = "Threshold (0..1 or otsu)", description = "Of the stretched intensities", required = false, persist = false)
 	private String threshold = "otsu";
@@ -184,14 +189,17 @@ public class ResolveFilamentCommand extends KnotCommand {
 		final RunOptions options = RunOptions.parse(texts(input));
 		final Movie series = ImageMovie.of(input, options.input());
 		final Parameters parameters = options.parameters(series);
-		final Engine part = Region.selected(input).map(engine::within).orElse(engine);
-		final MeasuredResolution result = MeasuredResolution
-			.of(part.resolve(series, parameters, progress), progress);
+		// The image may be closed meanwhile.
+		final RoiConverter rois = RoiConverter.forImage(input, channel);
+		final Optional<Path> file = ImageFile.of(input);
+		final MeasuredResolution result = MeasuredResolution.of(
+			engine.within(options.input().region()).resolve(series, parameters, progress),
+			progress);
 		if (out != null)
-			new ResultWriter(result, options.input(), input).write(out.toPath(), force, plots,
+			new ResultWriter(result, options.input(), rois, file).write(out.toPath(), force, plots,
 				progress);
 		progress.checkCancelled();
-		show(input, result);
+		show(input, result, rois);
 		resolution = result.resolution();
 		report(result, options.input(), System.nanoTime() - start);
 	}
@@ -213,24 +221,32 @@ public class ResolveFilamentCommand extends KnotCommand {
 		if (texts.get("fixed_end").isBlank())
 			texts.put("fixed_end",
 				RoiConverter.point(input.getRoi()).map(Point::toString).orElse(""));
+		if (texts.get("region").isBlank())
+			texts.put("region", RoiConverter.region(input).map(Region::toString).orElse(""));
 		if (threads == 0)
 			texts.remove("threads");
 		return texts;
 	}
 
 	/** An image that was hidden stays hidden; one that was opened here is shown. */
-	private void show(final ImagePlus input, final MeasuredResolution result) {
-		final ResultDisplay display = new ResultDisplay(input, result.resolution(), channel);
+	private void show(final ImagePlus input, final MeasuredResolution result,
+		final RoiConverter rois) {
+		final ResultDisplay display = new ResultDisplay(input, result.resolution(), rois);
 		if (overlay)
 			display.overlay();
-		if (GraphicsEnvironment.isHeadless())
-			return;
-		if (movie != null)
+		final boolean visible = !GraphicsEnvironment.isHeadless();
+		if (movie != null && visible)
 			input.show();
-		if (roi_manager)
-			display.fill(RoiManager.getRoiManager());
-		if (tables)
-			new ContourTables(input.getTitle(), result).show();
+		if (roi_manager && visible)
+			display.fill(manager());
+		if (tables && !new ContourTables(input.getTitle(), result).show())
+			say("The Results table holds rows of others, so the frames were not put there; run(\"Clear Results\") before.");
+	}
+
+	/** That of a macro in batch mode stays hidden. */
+	private static RoiManager manager() {
+		final RoiManager present = RoiManager.getInstance2();
+		return present == null ? RoiManager.getRoiManager() : present;
 	}
 
 	private void report(final MeasuredResolution result, final InputOptions input,

@@ -122,9 +122,12 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 		ResultFolder.check(folder, overwrite);
 		final ImagePlus image = ImageFile.open(row.movie());
 		final Movie movie = ImageMovie.of(image, options.input());
-		final MeasuredResolution result = MeasuredResolution
-			.of(engine.resolve(movie, options.parameters(movie), progress), progress);
-		new ResultWriter(result, options.input(), image).write(folder, overwrite, plots, progress);
+		final MeasuredResolution result = MeasuredResolution.of(engine
+			.within(options.input().region()).resolve(movie, options.parameters(movie), progress),
+			progress);
+		final RoiConverter rois = RoiConverter.forImage(image, options.input().channel());
+		new ResultWriter(result, options.input(), rois, ImageFile.of(image)).write(folder,
+			overwrite, plots, progress);
 		return result;
 	}
 

@@ -1,8 +1,14 @@
 package io.github.knotresolver.imagej;
 
+import java.awt.GraphicsEnvironment;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.function.IntToDoubleFunction;
 
 import ij.measure.ResultsTable;
+import ij.plugin.filter.Analyzer;
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.io.MeasuredFrame;
@@ -15,6 +21,15 @@ import io.github.knotresolver.track.TrackedFrame;
  * {@code <image>-frames}, with units in the headings.
  */
 public final class ContourTables {
+
+	private static final String CONFIDENCE = "confidence";
+
+	/** The values of a frame's points; fewer, or none, if they were not measured. */
+	@FunctionalInterface
+	private interface Column {
+
+		double[] values(MeasuredFrame frame, Polyline contour);
+	}
 
 	private final String image;
 	private final List<MeasuredFrame> frames;
@@ -32,32 +47,53 @@ public final class ContourTables {
 
 	/** @return one row a point */
 	public ResultsTable contours() {
-		final ResultsTable table = new ResultsTable();
+		final String length = unit(calibration.unit());
+		final double size = calibration.pixelSize();
+		final Map<String, Column> columns = new LinkedHashMap<>();
+		columns.put("frame", (frame, contour) -> points(contour, i -> frame.tracked().frame()));
+		columns.put("index", (frame, contour) -> points(contour, i -> i));
+		columns.put("x" + unit("px"), (frame, contour) -> contour.xs());
+		columns.put("y" + unit("px"), (frame, contour) -> contour.ys());
+		columns.put("x" + length, (frame, contour) -> points(contour, i -> contour.x(i) * size));
+		columns.put("y" + length, (frame, contour) -> points(contour, i -> contour.y(i) * size));
+		columns.put("arc length" + length, (frame, contour) -> frame.arcLength());
+		columns.put("tangent angle" + unit("rad"), (frame, contour) -> frame.tangentAngle());
+		columns.put("curvature" + unit("1/" + calibration.unit()),
+			(frame, contour) -> frame.curvature());
+		return table(columns);
+	}
+
+	/** Column by column: to look up a column for every value takes many times longer. */
+	private ResultsTable table(final Map<String, Column> columns) {
+		final int rows = frames.stream().flatMap(f -> f.tracked().contour().stream())
+			.mapToInt(Polyline::size).sum();
+		final ResultsTable table = new ResultsTable(rows);
 		table.setNaNEmptyCells(true);
-		for (final MeasuredFrame frame : frames)
-			frame.tracked().contour().ifPresent(contour -> addContour(table, frame, contour));
+		if (rows > 0)
+			columns.forEach((name, column) -> table.setValues(name, values(column, rows)));
 		return table;
 	}
 
-	private void addContour(final ResultsTable table, final MeasuredFrame frame,
-		final Polyline contour) {
-		final String length = unit(calibration.unit());
-		final double[] arc = frame.arcLength();
-		final double[] angle = frame.tangentAngle();
-		final double[] curvature = frame.curvature();
-		for (int i = 0; i < contour.size(); i++) {
-			table.addRow();
-			table.addValue("frame", frame.tracked().frame());
-			table.addValue("index", i);
-			table.addValue("x" + unit("px"), contour.x(i));
-			table.addValue("y" + unit("px"), contour.y(i));
-			table.addValue("x" + length, contour.x(i) * calibration.pixelSize());
-			table.addValue("y" + length, contour.y(i) * calibration.pixelSize());
-			table.addValue("arc length" + length, i < arc.length ? arc[i] : Double.NaN);
-			table.addValue("tangent angle" + unit("rad"), i < angle.length ? angle[i] : Double.NaN);
-			table.addValue("curvature" + unit("1/" + calibration.unit()),
-				i < curvature.length ? curvature[i] : Double.NaN);
+	/** Not all contours can be measured; what is missing is no number. */
+	private double[] values(final Column column, final int rows) {
+		final double[] values = new double[rows];
+		Arrays.fill(values, Double.NaN);
+		int row = 0;
+		for (final MeasuredFrame frame : frames) {
+			final Polyline contour = frame.tracked().contour().orElse(null);
+			if (contour == null)
+				continue;
+			final double[] own = column.values(frame, contour);
+			System.arraycopy(own, 0, values, row, own.length);
+			row += contour.size();
 		}
+		return values;
+	}
+
+	private static double[] points(final Polyline contour, final IntToDoubleFunction value) {
+		final double[] values = new double[contour.size()];
+		Arrays.setAll(values, value);
+		return values;
 	}
 
 	/** @return one row for every frame */
@@ -79,16 +115,33 @@ public final class ContourTables {
 			table.addValue("crossings", tracked.crossings());
 			table.addValue("candidates", tracked.candidates());
 			table.addValue("cost", tracked.cost());
-			table.addValue("confidence", tracked.confidence());
+			table.addValue(CONFIDENCE, tracked.confidence());
 			table.addValue("reason", tracked.reason());
 		}
 		return table;
 	}
 
-	/** Shows both tables under their names. */
-	public void show() {
+	/**
+	 * Shows both tables under their names. Without a display, where ImageJ has
+	 * no table but its Results, the frames become these, so that macros can read
+	 * them ({@code nResults}, {@code getResult}); rows of others are kept instead.
+	 *
+	 * @return whether the tables are there
+	 */
+	public boolean show() {
+		if (GraphicsEnvironment.isHeadless())
+			return showAsResults();
 		contours().show(image + "-contours");
 		frames().show(image + "-frames");
+		return true;
+	}
+
+	private boolean showAsResults() {
+		final ResultsTable present = ResultsTable.getResultsTable();
+		if (present.size() > 0 && !present.columnExists(CONFIDENCE))
+			return false;
+		Analyzer.setResultsTable(frames());
+		return true;
 	}
 
 	private static String unit(final String unit) {

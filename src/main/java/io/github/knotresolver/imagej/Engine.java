@@ -1,8 +1,11 @@
 package io.github.knotresolver.imagej;
 
+import java.util.Optional;
+
 import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.pipeline.FilamentResolver;
 import io.github.knotresolver.pipeline.Parameters;
+import io.github.knotresolver.pipeline.Region;
 import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.Progress;
 
@@ -27,11 +30,11 @@ public interface Engine {
 	Resolution resolve(Movie movie, Parameters parameters, Progress progress);
 
 	/**
-	 * @param region where to search
+	 * @param region where to search; empty for everywhere
 	 * @return this engine, searching only there; its results are in the whole
 	 *         movie's pixels
 	 */
-	default Engine within(final Region region) {
-		return new RegionEngine(this, region);
+	default Engine within(final Optional<Region> region) {
+		return region.<Engine>map(r -> new RegionEngine(this, r)).orElse(this);
 	}
 }

@@ -16,6 +16,8 @@ import net.imglib2.type.numeric.real.FloatType;
 import net.imglib2.util.Fraction;
 
 import ij.ImagePlus;
+import ij.ImageStack;
+import ij.process.ImageProcessor;
 import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.io.InputOptions;
 
@@ -61,9 +63,15 @@ public final class ImageMovie {
 		for (int t = 1; t <= frames; t++) {
 			final int index = image.getStackIndex(options.channel(), alongZ ? t : 1,
 				alongZ ? 1 : t);
-			planes.add(image.getStack().getProcessor(index).getPixels());
+			planes.add(pixels(image.getStack(), index));
 		}
 		return planes;
+	}
+
+	/** Some virtual stacks give the same array again and again. */
+	private static Object pixels(final ImageStack stack, final int index) {
+		final ImageProcessor plane = stack.getProcessor(index);
+		return stack.isVirtual() ? plane.getPixelsCopy() : plane.getPixels();
 	}
 
 	private static PlanarImg<UnsignedByteType, ByteArray> bytes(final List<Object> planes,

@@ -5,6 +5,7 @@ import java.util.List;
 
 import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.pipeline.Parameters;
+import io.github.knotresolver.pipeline.Region;
 import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.track.TrackedFrame;
@@ -17,8 +18,8 @@ record RegionEngine(Engine engine, Region region) implements Engine {
 		final Progress progress) {
 		final Resolution found = engine.resolve(region.of(movie), region.of(parameters), progress);
 		final List<String> notes = new ArrayList<>(found.notes());
-		notes.add("Only the selection was searched: x=" + region.x() + " y=" + region.y()
-			+ " width=" + region.width() + " height=" + region.height() + ".");
+		notes.add("Only the region x=" + region.x() + " y=" + region.y() + " width="
+			+ region.width() + " height=" + region.height() + " was searched.");
 		return new Resolution(movie, parameters, found.fixedEnd().map(region::back), found.length(),
 			found.lengthUncertainty(), found.frames().stream().map(this::back).toList(), notes);
 	}

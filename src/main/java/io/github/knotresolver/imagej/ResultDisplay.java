@@ -1,9 +1,10 @@
 package io.github.knotresolver.imagej;
 
+import java.awt.EventQueue;
+import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 
 import ij.ImagePlus;
 import ij.gui.Overlay;
@@ -29,12 +30,13 @@ public final class ResultDisplay {
 	/**
 	 * @param image the image that was resolved
 	 * @param resolution the result
-	 * @param channel the 1-based channel that was resolved
+	 * @param rois makes ROIs for this image
 	 */
-	public ResultDisplay(final ImagePlus image, final Resolution resolution, final int channel) {
+	public ResultDisplay(final ImagePlus image, final Resolution resolution,
+		final RoiConverter rois) {
 		this.image = image;
 		this.resolution = resolution;
-		this.converter = RoiConverter.forImage(image, channel);
+		this.converter = rois;
 	}
 
 	/**
@@ -44,25 +46,48 @@ public final class ResultDisplay {
 	 * @param manager the ROI Manager
 	 */
 	public void fill(final RoiManager manager) {
-		removeEarlier(manager);
+		onEventThread(() -> {
+			// The recorder shall not see what is a part of this Command.
+			manager.allowRecording(false);
+			removeEarlier(manager);
+			rois().forEach(manager::addRoi);
+			manager.allowRecording(true);
+		});
+	}
+
+	private List<Roi> rois() {
+		final List<Roi> rois = new ArrayList<>();
 		for (final TrackedFrame frame : resolution.frames()) {
 			if (frame.contour().isEmpty())
 				continue;
 			final Roi roi = converter.roi(frame.contour().get(), frame.frame());
 			roi.setStrokeColor(Palette.ofConfidence(frame.confidence()));
 			roi.setProperty(OF_IMAGE, image.getTitle());
-			manager.addRoi(roi);
+			rois.add(roi);
 		}
+		return rois;
 	}
 
+	/** One by one: deleting a selection asks a person if the selection is lost. */
 	private void removeEarlier(final RoiManager manager) {
-		final int[] earlier = IntStream.range(0, manager.getCount())
-			.filter(i -> image.getTitle().equals(manager.getRoi(i).getProperty(OF_IMAGE)))
-			.toArray();
-		if (earlier.length == 0)
+		for (int i = manager.getCount() - 1; i >= 0; i--)
+			if (image.getTitle().equals(manager.getRoi(i).getProperty(OF_IMAGE)))
+				manager.delete(i);
+	}
+
+	/** The manager's list is a Swing component. */
+	private static void onEventThread(final Runnable work) {
+		if (EventQueue.isDispatchThread()) {
+			work.run();
 			return;
-		manager.setSelectedIndexes(earlier);
-		manager.runCommand("Delete");
+		}
+		try {
+			EventQueue.invokeAndWait(work);
+		} catch (final InterruptedException e) {
+			Thread.currentThread().interrupt();
+		} catch (final InvocationTargetException e) {
+			throw new IllegalStateException(e.getCause());
+		}
 	}
 
 	/**

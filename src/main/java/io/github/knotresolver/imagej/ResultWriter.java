@@ -39,15 +39,16 @@ public final class ResultWriter {
 	/**
 	 * @param result a measured result
 	 * @param input how its movie was taken from the image
-	 * @param image the image, whose frames the ROIs are for
+	 * @param rois makes ROIs for that image
+	 * @param file the image's file; empty if it has none
 	 */
 	public ResultWriter(final MeasuredResolution result, final InputOptions input,
-		final ImagePlus image) {
+		final RoiConverter rois, final Optional<Path> file) {
 		this.result = result;
 		this.resolution = result.resolution();
 		this.input = input;
-		this.rois = RoiConverter.forImage(image, input.channel());
-		this.file = ImageFile.of(image);
+		this.rois = rois;
+		this.file = file;
 	}
 
 	/**

@@ -1,5 +1,6 @@
 package io.github.knotresolver.imagej;
 
+import java.awt.Rectangle;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -10,6 +11,7 @@ import ij.gui.PolygonRoi;
 import ij.gui.Roi;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.pipeline.Region;
 import io.github.knotresolver.pipeline.Resolution;
 
 /**
@@ -26,13 +28,17 @@ public final class RoiConverter {
 
 	private static final int LEAST_DIGITS = 4;
 
-	private final int channel;
-	private final boolean hyperstack;
+	/** Where ROIs of a frame stand. */
+	private interface Place {
+
+		void set(Roi roi, int frame);
+	}
+
+	private final Place place;
 	private final int digits;
 
-	private RoiConverter(final int channel, final boolean hyperstack, final int frames) {
-		this.channel = channel;
-		this.hyperstack = hyperstack;
+	private RoiConverter(final int frames, final Place place) {
+		this.place = place;
 		this.digits = Math.max(LEAST_DIGITS, Integer.toString(frames).length());
 	}
 
@@ -41,18 +47,22 @@ public final class RoiConverter {
 	 * @return a converter that sets positions of a stack: frame n is slice n
 	 */
 	public static RoiConverter forStack(final int frames) {
-		return new RoiConverter(1, false, frames);
+		return new RoiConverter(frames, (roi, frame) -> roi.setPosition(frame));
 	}
 
 	/**
-	 * @param image where the ROIs will be shown
+	 * @param image where the ROIs will be shown; it may be closed later
 	 * @param channel the 1-based channel that was resolved
 	 * @return a converter that sets the positions of this image
 	 */
 	public static RoiConverter forImage(final ImagePlus image, final int channel) {
-		return image.getNChannels() > 1
-			? new RoiConverter(channel, true, image.getNFrames())
-			: forStack(image.getStackSize());
+		if (image.getNChannels() == 1)
+			return forStack(image.getStackSize());
+		if (ImageMovie.isAlongZ(image))
+			return new RoiConverter(image.getNSlices(),
+				(roi, frame) -> roi.setPosition(channel, frame, 1));
+		return new RoiConverter(image.getNFrames(),
+			(roi, frame) -> roi.setPosition(channel, 1, frame));
 	}
 
 	/**
@@ -73,10 +83,7 @@ public final class RoiConverter {
 	Roi roi(final Polyline contour, final int frame) {
 		final Roi roi = polyline(contour);
 		roi.setName(PREFIX + String.format(Locale.ROOT, "%0" + digits + "d", frame));
-		if (hyperstack)
-			roi.setPosition(channel, 1, frame);
-		else
-			roi.setPosition(frame);
+		place.set(roi, frame);
 		return roi;
 	}
 
@@ -104,5 +111,23 @@ public final class RoiConverter {
 		final var points = roi.getFloatPolygon();
 		final double shift = roi.subPixelResolution() ? OFFSET : 0;
 		return Optional.of(new Point(points.xpoints[0] - shift, points.ypoints[0] - shift));
+	}
+
+	/**
+	 * @param image an image
+	 * @return the bounds of its area selection; empty if it has none, or all is
+	 *         selected
+	 * @throws IllegalArgumentException if it is too small, in one sentence
+	 */
+	public static Optional<Region> region(final ImagePlus image) {
+		final Roi roi = image.getRoi();
+		if (roi == null || !roi.isArea())
+			return Optional.empty();
+		final Rectangle all = new Rectangle(image.getWidth(), image.getHeight());
+		final Rectangle part = roi.getBounds().intersection(all);
+		return part.equals(all)
+			? Optional.empty()
+			: Optional
+				.of(new Region(part.x, part.y, Math.max(0, part.width), Math.max(0, part.height)));
 	}
 }

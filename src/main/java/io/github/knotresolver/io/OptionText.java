@@ -8,6 +8,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.pipeline.Region;
 
 /**
  * What a person types as the value of an option, turned into a value. Every
@@ -17,6 +18,8 @@ public final class OptionText {
 
 	private static final Pattern NUMBER = Pattern
 		.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
+
+	private static final Pattern REGION = Pattern.compile("\\d{1,9}(\\s*,\\s*\\d{1,9}){3}");
 
 	private OptionText() {
 	}
@@ -137,6 +140,20 @@ public final class OptionText {
 			|| !NUMBER.matcher(parts[1]).matches())
 			throw refusal(key, "X,Y in pixels, such as 46,90.5", text);
 		return new Point(Double.parseDouble(parts[0]), Double.parseDouble(parts[1]));
+	}
+
+	/**
+	 * @param key the option's name
+	 * @param text left column, upper row, width and height in pixels:
+	 *          {@code X,Y,WIDTH,HEIGHT}
+	 * @return the region
+	 */
+	public static Region region(final String key, final String text) {
+		if (!REGION.matcher(text.strip()).matches())
+			throw refusal(key, "X,Y,WIDTH,HEIGHT in whole pixels, such as 10,0,120,80", text);
+		final int[] parts = Arrays.stream(text.strip().split("\\s*,\\s*"))
+			.mapToInt(Integer::parseInt).toArray();
+		return new Region(parts[0], parts[1], parts[2], parts[3]);
 	}
 
 	/**

@@ -105,6 +105,7 @@ public final class ParametersJson {
 		final Calibration c = resolution.movie().calibration();
 		final Map<String, Object> json = new LinkedHashMap<>();
 		json.put("fixed_end", p.fixedEnd().map(Point::toString).orElse(null));
+		json.put("region", input.region().map(Object::toString).orElse(null));
 		json.put("threshold",
 			p.segmentation().threshold().isPresent()
 				? p.segmentation().threshold().getAsDouble()

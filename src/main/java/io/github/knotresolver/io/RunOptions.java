@@ -32,7 +32,7 @@ import io.github.knotresolver.pipeline.Parameters.ResolverMethod;
 public final class RunOptions {
 
 	/** Every key, in the order in which a person thinks of them. */
-	public static final Set<String> KEYS = keys("fixed_end", "threshold", "iterations",
+	public static final Set<String> KEYS = keys("fixed_end", "region", "threshold", "iterations",
 		"contraction_bias", "smooth_factor", "segmentation", "log_size", "log_sigma", "candidates",
 		"resolver", "length", "length_model", "refine", "channel", "z_as_time", "frames",
 		"ignore_frames", "corrections", "pixel_size", "frame_interval", "unit", "threads");
@@ -90,6 +90,7 @@ public final class RunOptions {
 			p.candidates(), p.resolver(), pixels, p.lengthModel(), p.refine(), p.frames(),
 			p.ignoreFrames(), p.corrections(), p.threads());
 		new FrameChoice(movie, fitting).frames();
+		input.region().ifPresent(r -> r.inside(movie).of(fitting));
 		return fitting;
 	}
 
@@ -98,7 +99,8 @@ public final class RunOptions {
 		return new InputOptions(OptionText.wholeNumber("channel", channel, 1),
 			flag(given, "z_as_time", false), number(given, "pixel_size"),
 			number(given, "frame_interval"),
-			Optional.ofNullable(given.get("unit")).map(UnitText::length));
+			Optional.ofNullable(given.get("unit")).map(UnitText::length),
+			Optional.ofNullable(given.get("region")).map(t -> OptionText.region("region", t)));
 	}
 
 	private static Parameters parameters(final Map<String, String> given) {

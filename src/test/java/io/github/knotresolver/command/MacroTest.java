@@ -4,16 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-
-import io.github.knotresolver.imagej.TestImages;
 
 /**
  * Macros without a display, in a process of their own, with ImageJ patched as
@@ -24,26 +21,31 @@ class MacroTest {
 
 	@TempDir
 	Path home;
+	private Programs programs;
+
+	@BeforeEach
+	void start() {
+		programs = new Programs(home);
+	}
 
 	@Test
 	void macroCommandAndCommandLineGiveTheSameContours() throws Exception {
 		final Path macro = out("macro"), hidden = out("hidden"), command = out("command"),
 			line = out("line"), file = out("file");
-		final String log = macros("run(\"Knotted Filament\");",
+		final String log = programs.macros("run(\"Knotted Filament\");",
 			"run(\"Resolve Filament...\", \"threads=1 plots=false out=[" + macro + "]\");",
 			"setBatchMode(true); run(\"Knotted Filament\");",
 			"n = 1; run(\"Resolve Filament...\", \"threads=&n plots=false out='" + hidden
 				+ "'\");");
 		assertTrue(Files.exists(macro.resolve("contours.csv")), log);
-		final String run = java(List.of("-Djava.awt.headless=true"),
+		final String run = programs.java(List.of("-Djava.awt.headless=true"),
 			"io.github.knotresolver.command.HeadlessRunMain", "--headless", "--run",
-			ResolveFilamentCommand.class.getName(),
-			"movie=\"" + sample() + "\",out=\"" + command + "\",plots=\"false\",threads=\"2\"");
+			ResolveFilamentCommand.class.getName(), "movie=\"" + programs.sample() + "\",out=\""
+				+ command + "\",plots=\"false\",threads=\"2\"");
 		assertTrue(Files.exists(command.resolve("contours.csv")), run);
-		java(List.of(), "io.github.knotresolver.cli.KnotResolverMain", "resolve", "--sample",
-			"--no-plots", "--out", line.toString());
-		java(List.of(), "io.github.knotresolver.cli.KnotResolverMain", "resolve",
-			sample().toString(), "--no-plots", "--out", file.toString());
+		programs.knotresolver("resolve", "--sample", "--no-plots", "--out", line.toString());
+		programs.knotresolver("resolve", programs.sample().toString(), "--no-plots", "--out",
+			file.toString());
 		final String expected = Files.readString(line.resolve("contours.csv"));
 		for (final Path other : List.of(macro, hidden, command, file))
 			assertEquals(expected, Files.readString(other.resolve("contours.csv")),
@@ -55,19 +57,63 @@ class MacroTest {
 		assertStops("threshold must be a number from 0 to 1", "threshold=1.5");
 		assertStops("iterations must be a whole number from 0 to 1000, but is 'abc'",
 			"iterations=abc");
-		assertStops("There is no key 'treshold'; the keys are image, movie, fixed_end, threshold",
+		assertStops(
+			"There is no key 'treshold'; the keys are image, movie, fixed_end, region, threshold",
 			"treshold=0.4");
 		assertStops("resolver must be movie or paper, but is 'best'", "resolver=best");
 	}
 
 	@Test
-	void exampleMacrosResolveAMovieAndAFolder() throws Exception {
-		final Path one = home.resolve("one"), all = home.resolve("all");
-		String log = macro(Path.of("scripts/examples/resolve-one.ijm"), sample() + "," + one);
-		assertTrue(Files.exists(one.resolve("contours.csv")), log);
-		log = macro(Path.of("scripts/examples/resolve-folder.ijm"), home + "," + all);
-		assertEquals(Files.readString(one.resolve("contours.csv")),
-			Files.readString(all.resolve("knotted-filament/contours.csv")), log);
+	void withoutADisplayTheFramesAreTheResults() throws Exception {
+		final Path table = home.resolve("results.csv");
+		String log = programs.macros("run(\"Knotted Filament\");",
+			"run(\"Resolve Filament...\", \"frames=1-3\");",
+			"print(\"rows \" + nResults + \" \" + getResultString(\"status\", 1) + \" \" + Overlay.size);",
+			"run(\"Resolve Filament...\", \"frames=1-4\");",
+			"saveAs(\"Results\", \"" + table + "\");");
+		assertTrue(log.contains("rows 24 resolved 48"), log);
+		assertTrue(Files.readString(table).contains("length"), log);
+		log = programs.macros("run(\"Knotted Filament\");", "setResult(\"mine\", 0, 7);",
+			"run(\"Resolve Filament...\", \"frames=1-3\");",
+			"print(\"kept \" + getResult(\"mine\", 0));");
+		assertTrue(log.contains("The Results table holds rows of others") && log.contains("kept 7"),
+			log);
+	}
+
+	@Test
+	void zStackIsRefusedWithAdviceAndReadIfTold() throws Exception {
+		final String log = programs.macros("run(\"Knotted Filament\");",
+			"run(\"Properties...\", \"channels=1 slices=24 frames=1\");",
+			"run(\"Resolve Filament...\", \"frames=1-3 z_as_time\");",
+			"print(\"told \" + Overlay.size);", "run(\"Resolve Filament...\", \"frames=1-3\");");
+		assertTrue(log.contains("told 48"), log);
+		assertTrue(log.contains("is a Z-stack of 24 slices, not a time series")
+			&& log.contains("z_as_time"), log);
+	}
+
+	@Test
+	void everyCommandRunsByItsClass() throws Exception {
+		final Path movie = home.resolve("movie"), scores = home.resolve("scores.csv"),
+			measured = home.resolve("measured"), batch = home.resolve("batch");
+		command(SimulateMovieCommand.class,
+			"length=\"8\",duration=\"10\",frames=\"4\",out=\"" + movie + "\"");
+		final Path truth = movie.resolve("contours.csv");
+		String log = command(EvaluateCommand.class,
+			"truth=\"" + truth + "\",result=\"" + truth + "\",out=\"" + scores + "\"");
+		assertTrue(Files.exists(scores), log);
+		log = command(MeasureContoursCommand.class,
+			"result=\"" + truth + "\",out=\"" + measured + "\",plots=\"false\"");
+		assertTrue(Files.isDirectory(measured), log);
+		log = command(BatchCommand.class,
+			"input=\"" + movie + "\",out=\"" + batch + "\",plots=\"false\"");
+		assertTrue(Files.exists(batch.resolve("movie/contours.csv")), log);
+		assertTrue(command(CiteCommand.class, "").contains("btae538"));
+		assertFalse(command(SampleCommand.class, "").contains("ERROR"));
+	}
+
+	private String command(final Class<?> type, final String inputs) throws Exception {
+		return programs.java(List.of("-Djava.awt.headless=true"), HeadlessRunMain.class.getName(),
+			"--headless", "--run", type.getName(), inputs);
 	}
 
 	/** The original tool's contours, measured by macro and on the command line. */
@@ -75,10 +121,10 @@ class MacroTest {
 	void originalContoursAreMeasuredAlike() throws Exception {
 		final Path data = Files.writeString(home.resolve("MTdata.csv"), originalContours());
 		final Path macro = out("measured"), line = out("line");
-		final String log = macros("run(\"Measure Contours...\", \"result=[" + data
+		final String log = programs.macros("run(\"Measure Contours...\", \"result=[" + data
 			+ "] pixel_size=0.1 frame_interval=2 plots=false out=[" + macro + "]\");");
-		java(List.of(), "io.github.knotresolver.cli.KnotResolverMain", "measure", data.toString(),
-			"--pixel-size", "0.1", "--frame-interval", "2", "--no-plots", "--out", line.toString());
+		programs.knotresolver("measure", data.toString(), "--pixel-size", "0.1", "--frame-interval",
+			"2", "--no-plots", "--out", line.toString());
 		assertTrue(Files.exists(macro.resolve("frames.csv")), log);
 		for (final String file : List.of("frames.csv", "contours.csv", "oscillations.csv"))
 			assertEquals(Files.readString(line.resolve(file)),
@@ -122,7 +168,7 @@ class MacroTest {
 	private void assertAborts(final String sentence, final String before, final String command,
 		final String option) throws Exception {
 		final Path after = home.resolve("after.txt"), out = out("none");
-		final String log = macros(before,
+		final String log = programs.macros(before,
 			"run(\"" + command + "\", \"" + option + " out=[" + out + "]\");",
 			"File.saveString(\"on\", \"" + after + "\");");
 		assertTrue(log.contains(sentence), log);
@@ -133,27 +179,5 @@ class MacroTest {
 
 	private Path out(final String name) {
 		return home.resolve(name + " folder");
-	}
-
-	private Path sample() throws IOException {
-		final Path file = home.resolve("knotted-filament.tif");
-		if (!Files.exists(file))
-			TestImages.save(io.github.knotresolver.imagej.SampleMovie.open(), file);
-		return file;
-	}
-
-	private String macros(final String... lines) throws Exception {
-		return macro(Files.writeString(home.resolve("macro.ijm"), String.join("\n", lines)), "");
-	}
-
-	private String macro(final Path file, final String argument) throws Exception {
-		return java(
-			List.of("-Djava.awt.headless=true", "--add-opens=java.base/java.lang=ALL-UNNAMED",
-				"-Dplugins.dir=" + new MacroProcess(home).installMenu()),
-			"io.github.knotresolver.command.HeadlessMacroMain", file.toString(), argument);
-	}
-
-	private String java(final List<String> options, final String... program) throws Exception {
-		return new MacroProcess(home).java(Map.of(), options, program);
 	}
 }

@@ -6,13 +6,22 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Predicate;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
 
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -20,6 +29,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.scijava.Context;
 import org.scijava.command.CommandInfo;
+import org.scijava.command.CommandModule;
 import org.scijava.command.CommandService;
 import org.scijava.log.LogLevel;
 import org.scijava.log.LogService;
@@ -37,6 +47,7 @@ import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.CancelledException;
+import io.github.knotresolver.progress.Progress;
 
 /** The Command as scripts call it. */
 class ResolveFilamentCommandTest {
@@ -68,6 +79,18 @@ class ResolveFilamentCommandTest {
 		for (final ModuleItem<?> input : info.inputs())
 			assertFalse(input.isPersisted() && RunOptions.KEYS.contains(input.getName()),
 				input.getName());
+	}
+
+	/** imagej-legacy takes Commands with {@code no-legacy} from the list of modules. */
+	@Test
+	void runsByClassAndNameEvenIfLegacyHasTakenItAway() throws Exception {
+		final ModuleService modules = context.service(ModuleService.class);
+		modules.removeModules(
+			modules.getModules().stream().filter(info -> info.is("no-legacy")).toList());
+		final CommandService commands = context.service(CommandService.class);
+		for (final CommandModule module : List.of(commands.run(CiteCommand.class, true).get(),
+			commands.run(CiteCommand.class.getName(), true).get()))
+			assertTrue(module.getOutput("citation").toString().contains("btae538"));
 	}
 
 	@Test
@@ -121,7 +144,77 @@ class ResolveFilamentCommandTest {
 		assertEquals(TestImages.WIDTH, resolution.movie().width());
 		final Point first = resolution.frames().get(0).contour().get().first();
 		assertEquals(new Point(12 + 5, 30 + 2), first);
+		assertRefused("reaches outside of 'movie', which has 80 x 60 pixels",
+			Map.of("image", image, "region", "5,2,76,50"));
 		assertTrue(resolution.notes().get(1).contains("x=5 y=2 width=60 height=50"));
+	}
+
+	@Test
+	void runInASelectionIsRepeatedFromItsParameters() throws Exception {
+		final ImagePlus image = TestImages.movie(4, 8);
+		image.setRoi(5, 2, 60, 50);
+		final File first = home.resolve("first").toFile(), second = home.resolve("second").toFile();
+		run(Map.of("image", image, "fixed_end", "12,30", "out", first));
+		final JsonObject options = JsonParser
+			.parseString(Files.readString(first.toPath().resolve("parameters.json")))
+			.getAsJsonObject().getAsJsonObject("options");
+		assertEquals("5,2,60,50", options.get("region").getAsString());
+		image.deleteRoi();
+		final Map<String, Object> again = new HashMap<>(Map.of("image", image, "out", second));
+		for (final String key : List.of("region", "fixed_end", "threshold"))
+			again.put(key, options.get(key).getAsString());
+		run(again);
+		assertEquals(-1, Files.mismatch(first.toPath().resolve("contours.csv"),
+			second.toPath().resolve("contours.csv")));
+	}
+
+	/** Esc at the first sign of each stage, of the real pipeline and its files. */
+	@Test
+	void everyStageCanBeCancelled() throws Exception {
+		final Set<String> stages = new LinkedHashSet<>();
+		resolveUntil(stage -> {
+			stages.add(stage);
+			return false;
+		});
+		assertTrue(stages.containsAll(Set.of("Writing tables", "Drawing")), stages.toString());
+		assertTrue(stages.size() >= 5, stages.toString());
+		for (final String wanted : stages) {
+			final ImagePlus sample = resolveUntil(wanted::equals);
+			assertNull(sample.getOverlay(), "It went on after " + wanted);
+			assertFalse(Files.exists(home.resolve("stages")), "A folder is left after " + wanted);
+		}
+	}
+
+	/** Resolves a part of the sample, and cancels at a stage. */
+	private ImagePlus resolveUntil(final Predicate<String> stage) throws Exception {
+		final ImagePlus sample = SampleMovie.open();
+		final AtomicBoolean reached = new AtomicBoolean();
+		final Progress progress = new Progress() {
+
+			@Override
+			public void report(final String name, final double fraction) {
+				if (stage.test(name))
+					reached.set(true);
+			}
+
+			@Override
+			public boolean isCancelled() {
+				return reached.get();
+			}
+		};
+		final ResolveFilamentCommand command = new ResolveFilamentCommand();
+		Form.of(command).fill(
+			Map.of("frames", "1-3", "out", home.resolve("stages").toString(), "force", "true"));
+		WindowManager.setTempCurrentImage(sample);
+		try {
+			command.work(progress);
+			Files.move(home.resolve("stages"), home.resolve("whole"));
+		} catch (final CancelledException e) {
+			assertTrue(reached.get());
+		} finally {
+			WindowManager.setTempCurrentImage(null);
+		}
+		return sample;
 	}
 
 	@Test
@@ -130,7 +223,8 @@ class ResolveFilamentCommandTest {
 		image.setRoi(5, 2, 3, 50);
 		assertRefused("too small for a filament", Map.of("image", image));
 		image.setRoi(40, 2, 30, 50);
-		assertRefused("lies outside the selection", Map.of("image", image, "fixed_end", "12,30"));
+		assertRefused("lies outside the region 40,2,30,50",
+			Map.of("image", image, "fixed_end", "12,30"));
 	}
 
 	@Test

@@ -2,17 +2,15 @@ package io.github.knotresolver.command;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
+import java.util.Optional;
 
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -25,26 +23,19 @@ class RoiManagerTest {
 
 	@TempDir
 	Path home;
-	private Process server;
-	private String display;
+	private Desktop desktop;
 
 	@BeforeEach
-	void startDisplay() throws IOException {
-		try {
-			server = new ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", "800x600x24")
-				.redirectError(ProcessBuilder.Redirect.DISCARD).start();
-		} catch (final IOException e) {
-			Assumptions.abort("skipped: there is no Xvfb");
-		}
-		final BufferedReader told = new BufferedReader(
-			server.inputReader(StandardCharsets.US_ASCII));
-		display = ":" + told.readLine();
+	void openDesktop() throws IOException {
+		final Optional<Desktop> opened = Desktop.open();
+		assumeTrue(opened.isPresent(), "This machine has no Xvfb.");
+		desktop = opened.get();
 	}
 
 	@AfterEach
-	void stopDisplay() {
-		if (server != null)
-			server.destroy();
+	void closeDesktop() throws InterruptedException {
+		if (desktop != null)
+			desktop.close();
 	}
 
 	@Test
@@ -128,9 +119,9 @@ class RoiManagerTest {
 
 	private String macro(final String... lines) throws Exception {
 		final Path file = Files.writeString(home.resolve("macro.ijm"), String.join("\n", lines));
-		final MacroProcess process = new MacroProcess(home);
-		return process.java(Map.of("DISPLAY", display),
-			List.of("-Djava.awt.headless=false", "-Dplugins.dir=" + process.installMenu()),
+		final Programs programs = new Programs(home);
+		return desktop.run(programs,
+			List.of("-Djava.awt.headless=false", "-Dplugins.dir=" + programs.installMenu()),
 			"io.github.knotresolver.command.WindowMacroMain", file.toString());
 	}
 }

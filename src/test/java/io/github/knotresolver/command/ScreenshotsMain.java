@@ -1,22 +1,14 @@
 package io.github.knotresolver.command;
 
-import java.awt.Button;
-import java.awt.Component;
-import java.awt.Container;
 import java.awt.Dialog;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
-import java.awt.TextField;
-import java.awt.Window;
-import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.io.File;
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Callable;
 
 import javax.imageio.ImageIO;
 
@@ -34,7 +26,6 @@ import ij.plugin.frame.RoiManager;
  */
 final class ScreenshotsMain {
 
-	private static final long PATIENCE_MILLIS = 60_000;
 	private static final String RESOLVE = "Resolve Filament...";
 
 	private final File folder;
@@ -82,7 +73,7 @@ final class ScreenshotsMain {
 	}
 
 	private void menu(final ImageJ imagej) throws Exception {
-		await("ImageJ", imagej::isShowing);
+		Windows.await("ImageJ", imagej::isShowing);
 		pause();
 		final Point at = imagej.getLocationOnScreen();
 		click(at.x + 320, at.y + imagej.getInsets().top - 12);
@@ -92,7 +83,7 @@ final class ScreenshotsMain {
 			robot.keyRelease(key);
 			pause();
 		}
-		capture("menu.png", new Rectangle(0, 0, 700, 260));
+		capture("menu.png", new Rectangle(0, 0, 930, 320));
 		for (int i = 0; i < 4; i++) {
 			robot.keyPress(KeyEvent.VK_ESCAPE);
 			robot.keyRelease(KeyEvent.VK_ESCAPE);
@@ -100,38 +91,38 @@ final class ScreenshotsMain {
 	}
 
 	private void noImage() throws Exception {
-		start(RESOLVE);
-		press(dialog(RESOLVE), "  OK  ");
-		expectMessage("There is no image open");
+		Windows.start(RESOLVE);
+		Windows.press(Windows.dialog(RESOLVE), "  OK  ");
+		expect("There is no image open");
 	}
 
 	private void wrongValue() throws Exception {
-		start(RESOLVE);
-		final Dialog dialog = dialog(RESOLVE);
-		fields(dialog).stream().filter(f -> f.getText().equals("otsu")).findFirst().orElseThrow()
-			.setText("1.5");
-		press(dialog, "  OK  ");
-		expectMessage("threshold must be a number from 0 to 1");
+		Windows.start(RESOLVE);
+		final Dialog dialog = Windows.dialog(RESOLVE);
+		Windows.type(dialog, "Threshold", "1.5");
+		Windows.press(dialog, "  OK  ");
+		expect("threshold must be a number from 0 to 1");
 	}
 
 	private void escape(final ImagePlus image) throws Exception {
-		start(RESOLVE);
-		press(dialog(RESOLVE), "  OK  ");
+		Windows.start(RESOLVE);
+		Windows.press(Windows.dialog(RESOLVE), "  OK  ");
 		pause();
 		image.getWindow().toFront();
 		image.getCanvas().requestFocus();
 		robot.keyPress(KeyEvent.VK_ESCAPE);
 		robot.keyRelease(KeyEvent.VK_ESCAPE);
-		expectMessage("Cancelled");
+		expect("Cancelled");
 		if (image.getOverlay() != null)
 			throw new IllegalStateException("Cancelled, but there is an overlay.");
 	}
 
 	private String resolve(final ImagePlus image) throws Exception {
-		start(RESOLVE);
-		press(dialog(RESOLVE), "  OK  ");
-		await("overlay", () -> image.getOverlay() != null);
-		await("tables", () -> WindowManager.getWindow(image.getTitle() + "-frames") != null);
+		Windows.start(RESOLVE);
+		Windows.press(Windows.dialog(RESOLVE), "  OK  ");
+		Windows.await("overlay", () -> image.getOverlay() != null);
+		Windows.await("tables",
+			() -> WindowManager.getWindow(image.getTitle() + "-frames") != null);
 		Thread.sleep(1500);
 		WindowManager.getWindow(image.getTitle() + "-contours").setLocation(620, 560);
 		WindowManager.getWindow(image.getTitle() + "-frames").setLocation(620, 280);
@@ -159,99 +150,25 @@ final class ScreenshotsMain {
 	}
 
 	private void measure() throws Exception {
-		start("Measure Contours...");
-		press(dialog("Measure Contours..."), "  OK  ");
-		await("plots", () -> WindowManager.getImageCount() >= 6);
+		Windows.start("Measure Contours...");
+		Windows.press(Windows.dialog("Measure Contours..."), "  OK  ");
+		Windows.await("plots", () -> WindowManager.getImageCount() >= 6);
 		Thread.sleep(1500);
 		capture("measurements.png", new Rectangle(0, 0, 1440, 1000));
 	}
 
 	private void dialog(final String command, final String picture, final String button)
 		throws Exception {
-		start(command);
-		final Dialog dialog = dialog(command);
+		Windows.start(command);
+		final Dialog dialog = Windows.dialog(command);
 		pause();
 		capture(picture, dialog.getBounds());
-		press(dialog, button);
+		Windows.press(dialog, button);
 		pause();
 	}
 
-	/** As the menu does it: in a thread of its own, without options. */
-	private static void start(final String command) {
-		IJ.doCommand(command);
-	}
-
-	private static Dialog dialog(final String title) throws Exception {
-		final List<Dialog> found = new ArrayList<>();
-		await("dialog " + title, () -> {
-			found.clear();
-			for (final Window window : Window.getWindows())
-				if (window instanceof Dialog d && d.isShowing() && title.equals(d.getTitle()))
-					found.add(d);
-			return !found.isEmpty();
-		});
-		return found.get(0);
-	}
-
-	private void expectMessage(final String sentence) throws Exception {
-		final List<Dialog> found = new ArrayList<>();
-		await("message '" + sentence + "'", () -> {
-			for (final Window window : Window.getWindows())
-				if (window instanceof Dialog d && d.isShowing() && text(d).contains(sentence))
-					found.add(d);
-			return !found.isEmpty();
-		});
-		pause();
-		System.out.println("Message: " + text(found.get(0)).strip());
-		found.get(0).dispose();
-		for (final Window window : Window.getWindows())
-			if (window instanceof Dialog d && d.isShowing())
-				press(d, "Cancel");
-		// The command ends, and is recorded, after its message is gone.
-		pause();
-	}
-
-	private static String text(final Container container) {
-		final StringBuilder text = new StringBuilder();
-		for (final Component c : container.getComponents())
-			if (c instanceof java.awt.Label label)
-				text.append(label.getText()).append(' ');
-			else if (c instanceof ij.gui.MultiLineLabel label)
-				text.append(lines(label)).append(' ');
-			else if (c instanceof Container inner)
-				text.append(text(inner));
-		return text.toString();
-	}
-
-	private static String lines(final ij.gui.MultiLineLabel label) {
-		try {
-			final var lines = label.getClass().getDeclaredField("lines");
-			lines.setAccessible(true);
-			return String.join(" ", (String[]) lines.get(label));
-		} catch (final ReflectiveOperationException e) {
-			throw new IllegalStateException(e);
-		}
-	}
-
-	private static List<TextField> fields(final Container container) {
-		final List<TextField> fields = new ArrayList<>();
-		for (final Component c : container.getComponents())
-			if (c instanceof TextField field)
-				fields.add(field);
-			else if (c instanceof Container inner)
-				fields.addAll(fields(inner));
-		return fields;
-	}
-
-	private static void press(final Container container, final String label) {
-		for (final Component c : container.getComponents())
-			if (c instanceof Button button && button.getLabel().strip().equals(label.strip())) {
-				final ActionEvent event = new ActionEvent(button, ActionEvent.ACTION_PERFORMED,
-					label);
-				for (final var listener : button.getActionListeners())
-					listener.actionPerformed(event);
-			} else if (c instanceof Container inner)
-				press(inner, label);
+	private static void expect(final String sentence) throws Exception {
+		System.out.println("Message: " + Windows.message(sentence));
 	}
 
 	private void click(final int x, final int y) {
@@ -266,15 +183,5 @@ final class ScreenshotsMain {
 
 	private void capture(final String name, final Rectangle part) throws IOException {
 		ImageIO.write(robot.createScreenCapture(part), "png", new File(folder, name));
-	}
-
-	private static void await(final String what, final Callable<Boolean> condition)
-		throws Exception {
-		final long end = System.currentTimeMillis() + PATIENCE_MILLIS;
-		while (!condition.call()) {
-			if (System.currentTimeMillis() > end)
-				throw new IllegalStateException("Waited in vain for " + what + ".");
-			Thread.sleep(50);
-		}
 	}
 }

@@ -11,6 +11,7 @@ import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.function.BiFunction;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -59,11 +60,27 @@ class ImageMovieTest {
 
 	@Test
 	void virtualStackIsReadAsAnyOther() {
+		assertVirtualStackIsRead(ShortProcessor::new);
+	}
+
+	/** As some readers do: one array for all frames. */
+	@Test
+	void virtualStackMayUseItsArrayAgain() {
+		final ShortProcessor one = new ShortProcessor(7, 5);
+		assertVirtualStackIsRead((width, height) -> {
+			one.setValue(0);
+			one.fill();
+			return one;
+		});
+	}
+
+	private static void assertVirtualStackIsRead(
+		final BiFunction<Integer, Integer, ShortProcessor> blank) {
 		final ImagePlus image = new ImagePlus("virtual", new VirtualStack(7, 5, 3) {
 
 			@Override
 			public ImageProcessor getProcessor(final int n) {
-				final ShortProcessor ip = new ShortProcessor(7, 5);
+				final ShortProcessor ip = blank.apply(7, 5);
 				ip.set(n, n, 1000 * n);
 				return ip;
 			}
@@ -77,6 +94,12 @@ class ImageMovieTest {
 		final Movie movie = ImageMovie.of(image, InputOptions.DEFAULT);
 		for (int n = 1; n <= 3; n++)
 			assertEquals(1000 * n, movie.frames().getAt(n, n, n - 1).getRealDouble());
+	}
+
+	@Test
+	void rgbIsRefusedWithAdvice() {
+		assertRefused("convert it with Image > Type > 8-bit",
+			IJ.createHyperStack("rgb", 5, 5, 1, 1, 3, 24), InputOptions.DEFAULT);
 	}
 
 	@Test

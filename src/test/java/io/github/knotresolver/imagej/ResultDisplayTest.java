@@ -2,9 +2,7 @@ package io.github.knotresolver.imagej;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
-import java.awt.GraphicsEnvironment;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -24,7 +22,6 @@ import ij.gui.PointRoi;
 import ij.gui.Roi;
 import ij.io.RoiDecoder;
 import ij.measure.ResultsTable;
-import ij.plugin.frame.RoiManager;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.io.InputOptions;
@@ -78,22 +75,28 @@ class ResultDisplayTest {
 	}
 
 	@Test
-	void managerGetsOneRoiAFrame() {
-		assumeFalse(GraphicsEnvironment.isHeadless(), "ImageJ's ROI Manager needs a display.");
-		final RoiManager manager = new RoiManager(false);
-		new ResultDisplay(image, resolution, 1).fill(manager);
-		assertEquals(3, manager.getCount());
-		assertEquals("knot-0004", manager.getRoi(2).getName());
-		assertEquals(4, manager.getRoi(2).getPosition());
+	void roiOfSlicesThatAreFramesStandsOnItsSlice() {
+		final Roi roi = RoiConverter.forImage(IJ.createHyperStack("z", 80, 60, 2, 4, 1, 8), 2)
+			.rois(resolution).get(1);
+		assertEquals(List.of(2, 3, 1),
+			List.of(roi.getCPosition(), roi.getZPosition(), roi.getTPosition()));
+	}
+
+	@Test
+	void positionsAreThoseOfTheImageBeforeItWasClosed() {
+		final ImagePlus two = IJ.createHyperStack("two", 80, 60, 2, 1, 4, 8);
+		final RoiConverter rois = RoiConverter.forImage(two, 2);
+		two.flush();
+		assertEquals(3, rois.rois(resolution).get(1).getTPosition());
 	}
 
 	@Test
 	void overlayReplacesTheEarlierOneAndLeavesPixelsAndOtherShapes() {
 		final byte[] before = ((byte[]) image.getStack().getPixels(1)).clone();
 		image.setOverlay(new Overlay(new Roi(1, 1, 5, 5)));
-		new ResultDisplay(image, resolution, 1).overlay();
+		new ResultDisplay(image, resolution, RoiConverter.forImage(image, 1)).overlay();
 		final int once = image.getOverlay().size();
-		new ResultDisplay(image, resolution, 1).overlay();
+		new ResultDisplay(image, resolution, RoiConverter.forImage(image, 1)).overlay();
 		assertEquals(once, image.getOverlay().size());
 		assertEquals(1 + 3 * 16, once);
 		assertEquals(1, image.getOverlay().get(1).getPosition());

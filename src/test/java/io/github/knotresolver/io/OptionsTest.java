@@ -25,6 +25,7 @@ import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.pipeline.Parameters;
+import io.github.knotresolver.pipeline.Region;
 
 class OptionsTest {
 
@@ -74,7 +75,20 @@ class OptionsTest {
 		assertEquals(3, p.corrections().get(3).length());
 		assertEquals(3, p.threads());
 		assertEquals(new InputOptions(2, true, OptionalDouble.of(0.2), OptionalDouble.of(3),
-			Optional.of("µm")), options.input());
+			Optional.of("µm"), Optional.empty()), options.input());
+	}
+
+	@Test
+	void regionIsReadAndMustLieInTheMovie() {
+		final RunOptions options = RunOptions.parse(Map.of("region", "2, 3,20,15"));
+		assertEquals(Optional.of(new Region(2, 3, 20, 15)), options.input().region());
+		assertEquals("2,3,20,15", options.input().region().get().toString());
+		for (final String wrong : List.of("2,3,20", "2,3,20,1.5", "-2,3,20,15", "a,b,c,d"))
+			assertEquals(
+				"region must be X,Y,WIDTH,HEIGHT in whole pixels, such as 10,0,120,80, but is '"
+					+ wrong + "'.",
+				assertThrows(IllegalArgumentException.class,
+					() -> RunOptions.parse(Map.of("region", wrong))).getMessage());
 	}
 
 	@ParameterizedTest

@@ -150,8 +150,12 @@ public final class FormField {
 			.orElseThrow(() -> refusal(text));
 	}
 
+	/** Of two images with the same title the active one. */
 	private ImagePlus image(final String title) {
-		final ImagePlus image = WindowManager.getImage(title);
+		final ImagePlus active = WindowManager.getCurrentImage();
+		final ImagePlus image = active != null && title.equals(active.getTitle())
+			? active
+			: WindowManager.getImage(title);
 		if (image == null)
 			throw refusal(title);
 		return image;

@@ -1,0 +1,117 @@
+package io.github.knotresolver.pipeline;
+
+import java.util.TreeMap;
+
+import net.imglib2.RandomAccessibleInterval;
+import net.imglib2.view.Views;
+
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.image.Movie;
+
+/**
+ * The part of a movie that a search is limited to, in pixels; results are in the
+ * whole movie's pixels all the same.
+ *
+ * @param x first column
+ * @param y first row
+ * @param width number of columns
+ * @param height number of rows
+ */
+public record Region(int x, int y, int width, int height) {
+
+	/** Too small to hold a filament. */
+	private static final int LEAST = 8;
+
+	public Region {
+		if (width < LEAST || height < LEAST)
+			throw new IllegalArgumentException("The region " + x + "," + y + "," + width + ","
+				+ height + " is too small for a filament; it must have " + LEAST + " x " + LEAST
+				+ " pixels at least, or leave it out to search the whole image.");
+	}
+
+	/** @return {@code x,y,width,height}, as options have it */
+	@Override
+	public String toString() {
+		return x + "," + y + "," + width + "," + height;
+	}
+
+	/**
+	 * @param movie a movie
+	 * @return this region
+	 * @throws IllegalArgumentException if it reaches outside of the movie, in one
+	 *           sentence
+	 */
+	public Region inside(final Movie movie) {
+		if (x < 0 || y < 0 || x + width > movie.width() || y + height > movie.height())
+			throw new IllegalArgumentException("The region " + this + " (x,y,width,height)"
+				+ " reaches outside of '" + movie.name() + "', which has " + movie.width() + " x "
+				+ movie.height() + " pixels; move it, or leave it out to search the whole image.");
+		return this;
+	}
+
+	/**
+	 * @param movie a movie
+	 * @return this part of it; pixels are shared
+	 * @throws IllegalArgumentException if the region reaches outside of it
+	 */
+	public Movie of(final Movie movie) {
+		inside(movie);
+		return new Movie(movie.name(), part(movie.frames()), movie.calibration());
+	}
+
+	private <T> RandomAccessibleInterval<T> part(final RandomAccessibleInterval<T> frames) {
+		final long[] min = frames.minAsLongArray();
+		return Views.zeroMin(Views.interval(frames, new long[]{min[0] + x, min[1] + y, min[2]},
+			new long[]{min[0] + x + width - 1, min[1] + y + height - 1, frames.max(2)}));
+	}
+
+	/**
+	 * @param p parameters of the whole movie
+	 * @return the parameters in this part's own pixels
+	 * @throws IllegalArgumentException if the fixed end lies outside, in one
+	 *           sentence
+	 */
+	public Parameters of(final Parameters p) {
+		final var corrections = new TreeMap<Integer, Polyline>();
+		p.corrections().forEach((frame, c) -> corrections.put(frame, moved(c, -x, -y)));
+		return new Parameters(p.fixedEnd().map(this::inside), p.cleaning(), p.segmentation(),
+			p.candidates(), p.resolver(), p.length(), p.lengthModel(), p.refine(), p.frames(),
+			p.ignoreFrames(), corrections, p.threads());
+	}
+
+	private Point inside(final Point end) {
+		final Point moved = new Point(end.x() - x, end.y() - y);
+		if (moved.x() < -0.5 || moved.y() < -0.5 || moved.x() > width - 0.5
+			|| moved.y() > height - 0.5)
+			throw new IllegalArgumentException("fixed_end " + end + " lies outside the region "
+				+ this
+				+ " (x,y,width,height); move the region, or leave it out to search the whole image.");
+		return moved;
+	}
+
+	/**
+	 * @param contour a contour in this part's pixels
+	 * @return the contour in the whole movie's pixels
+	 */
+	public Polyline back(final Polyline contour) {
+		return moved(contour, x, y);
+	}
+
+	/**
+	 * @param point a point in this part's pixels
+	 * @return the point in the whole movie's pixels
+	 */
+	public Point back(final Point point) {
+		return new Point(point.x() + x, point.y() + y);
+	}
+
+	private static Polyline moved(final Polyline contour, final int dx, final int dy) {
+		final double[] x = contour.xs(), y = contour.ys();
+		for (int i = 0; i < x.length; i++) {
+			x[i] += dx;
+			y[i] += dy;
+		}
+		return Polyline.of(x, y);
+	}
+}

@@ -1,0 +1,147 @@
+package io.github.knotresolver.command;
+
+import java.awt.Button;
+import java.awt.Choice;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Dialog;
+import java.awt.Label;
+import java.awt.TextField;
+import java.awt.Window;
+import java.awt.event.ActionEvent;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+
+import ij.IJ;
+import ij.gui.MultiLineLabel;
+
+/** ImageJ's windows as a person works with them: finds, reads and presses. */
+final class Windows {
+
+	private static final long PATIENCE_MILLIS = 60_000;
+
+	private Windows() {
+	}
+
+	/** As the menu does it: in a thread of its own, without options. */
+	static void start(final String command) {
+		IJ.doCommand(command);
+	}
+
+	/** Waits for a dialog with this title and words. */
+	static Dialog dialog(final String title, final String... words) throws Exception {
+		final List<Dialog> found = new ArrayList<>();
+		await("dialog " + title + " " + List.of(words), () -> {
+			found.clear();
+			dialogs().filter(d -> title.equals(d.getTitle()))
+				.filter(d -> Arrays.stream(words).allMatch(text(d)::contains)).forEach(found::add);
+			return !found.isEmpty();
+		});
+		return found.get(0);
+	}
+
+	/** Waits for a message, and closes it and all other dialogs. */
+	static String message(final String sentence) throws Exception {
+		final List<Dialog> found = new ArrayList<>();
+		await("message '" + sentence + "'", () -> {
+			dialogs().filter(d -> text(d).contains(sentence)).forEach(found::add);
+			return !found.isEmpty();
+		});
+		final String text = text(found.get(0)).strip();
+		found.get(0).dispose();
+		// The Command ends, and is recorded, after its message is gone.
+		Thread.sleep(300);
+		closeDialogs();
+		Thread.sleep(300);
+		return text;
+	}
+
+	static void closeDialogs() {
+		dialogs().toList().forEach(d -> press(d, "Cancel"));
+		dialogs().toList().forEach(Dialog::dispose);
+	}
+
+	static Stream<Dialog> dialogs() {
+		return Arrays.stream(Window.getWindows()).filter(Dialog.class::isInstance)
+			.filter(Window::isShowing).map(Dialog.class::cast);
+	}
+
+	/** All words in a window. */
+	static String text(final Container container) {
+		final StringBuilder text = new StringBuilder();
+		for (final Component c : container.getComponents())
+			if (c instanceof Label label)
+				text.append(label.getText()).append(' ');
+			else if (c instanceof MultiLineLabel label)
+				text.append(lines(label)).append(' ');
+			else if (c instanceof Container inner)
+				text.append(text(inner));
+		return text.toString();
+	}
+
+	private static String lines(final MultiLineLabel label) {
+		try {
+			final var lines = label.getClass().getDeclaredField("lines");
+			lines.setAccessible(true);
+			return String.join(" ", (String[]) lines.get(label));
+		} catch (final ReflectiveOperationException e) {
+			throw new IllegalStateException(e);
+		}
+	}
+
+	/** All components of a kind, in their order. */
+	static <T extends Component> List<T> all(final Container container, final Class<T> kind) {
+		final List<T> found = new ArrayList<>();
+		for (final Component c : container.getComponents())
+			if (kind.isInstance(c))
+				found.add(kind.cast(c));
+			else if (c instanceof Container inner)
+				found.addAll(all(inner, kind));
+		return found;
+	}
+
+	/** Types into the field that follows the words. */
+	static void type(final Container dialog, final String label, final String text) {
+		fieldAfter(dialog, label, TextField.class).setText(text);
+	}
+
+	/** Chooses from the list that follows the words. */
+	static void choose(final Container dialog, final String label, final String item) {
+		fieldAfter(dialog, label, Choice.class).select(item);
+	}
+
+	private static <T extends Component> T fieldAfter(final Container dialog, final String label,
+		final Class<T> kind) {
+		boolean seen = false;
+		for (final Component c : all(dialog, Component.class)) {
+			if (c instanceof Label words && words.getText().startsWith(label))
+				seen = true;
+			if (seen && kind.isInstance(c))
+				return kind.cast(c);
+			if (seen && c instanceof Container inner && !all(inner, kind).isEmpty())
+				return all(inner, kind).get(0);
+		}
+		throw new AssertionError("The dialog has no field '" + label + "': " + text(dialog));
+	}
+
+	static void press(final Container container, final String label) {
+		for (final Button button : all(container, Button.class))
+			if (button.getLabel().strip().equals(label.strip()))
+				for (final var listener : button.getActionListeners())
+					listener.actionPerformed(
+						new ActionEvent(button, ActionEvent.ACTION_PERFORMED, button.getLabel()));
+	}
+
+	static void await(final String what, final Callable<Boolean> condition) throws Exception {
+		final long end = System.currentTimeMillis() + PATIENCE_MILLIS;
+		while (!condition.call()) {
+			if (System.currentTimeMillis() > end)
+				throw new AssertionError("Waited in vain for " + what + "; there are "
+					+ dialogs().map(d -> d.getTitle() + ": " + text(d)).toList() + ".");
+			Thread.sleep(20);
+		}
+	}
+}
