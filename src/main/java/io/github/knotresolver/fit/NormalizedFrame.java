@@ -1,5 +1,8 @@
 package io.github.knotresolver.fit;
 
+import io.github.knotresolver.image.GaussianBlur;
+import io.github.knotresolver.image.PixelNoise;
+
 /**
  * A frame in the units of the fit: background 0, a single bright strand 1.
  *
@@ -25,6 +28,26 @@ public record NormalizedFrame(int width, int height, double[] pixels) {
 		for (int i = 0; i < scaled.length; i++)
 			scaled[i] = (pixels[i] - background) / amplitude;
 		return new NormalizedFrame(width, height, scaled);
+	}
+
+	/**
+	 * @param sigma of a Gaussian in pixels, above 0
+	 * @return the frame blurred by it
+	 */
+	public NormalizedFrame blurred(final double sigma) {
+		final float[] in = new float[pixels.length];
+		for (int i = 0; i < in.length; i++)
+			in[i] = (float) pixels[i];
+		final float[] out = GaussianBlur.blur(in, width, sigma);
+		final double[] blurred = new double[pixels.length];
+		for (int i = 0; i < blurred.length; i++)
+			blurred[i] = out[i];
+		return new NormalizedFrame(width, height, blurred);
+	}
+
+	/** @return the {@link PixelNoise} of the frame */
+	public double noise() {
+		return PixelNoise.of(pixels, width);
 	}
 
 	/**

@@ -36,29 +36,19 @@ public final class LaplacianOfGaussian {
 			return Pixels.image(Pixels.floats(frame), Pixels.width(frame));
 		final int width = Pixels.width(frame);
 		final float[] in = Pixels.floats(frame);
-		final double[] gauss = gauss(size, sigma);
+		final double[] gauss = SeparableFilter.gauss(size, sigma);
 		final double[] ridge = ridge(gauss, sigma);
-		final float[] across = alongRows(transposed(alongRows(in, width, gauss), width),
+		final float[] across = SeparableFilter.alongRows(
+			SeparableFilter.transposed(SeparableFilter.alongRows(in, width, gauss), width),
 			in.length / width, ridge);
-		final float[] along = alongRows(transposed(alongRows(in, width, ridge), width),
+		final float[] along = SeparableFilter.alongRows(
+			SeparableFilter.transposed(SeparableFilter.alongRows(in, width, ridge), width),
 			in.length / width, gauss);
 		final float[] sum = new float[in.length];
 		for (int i = 0; i < sum.length; i++)
 			sum[i] = across[i] + along[i];
-		return Pixels.image(transposed(positivePart(sum), in.length / width), width);
-	}
-
-	private static double[] gauss(final int size, final double sigma) {
-		final double[] kernel = new double[size];
-		double sum = 0;
-		for (int i = 0; i < size; i++) {
-			final double x = i - size / 2;
-			kernel[i] = Math.exp(-x * x / (2 * sigma * sigma));
-			sum += kernel[i];
-		}
-		for (int i = 0; i < size; i++)
-			kernel[i] /= sum;
-		return kernel;
+		return Pixels.image(SeparableFilter.transposed(positivePart(sum), in.length / width),
+			width);
 	}
 
 	/** The negative second derivative, its mean taken out: flat stays flat. */
@@ -74,30 +64,6 @@ public final class LaplacianOfGaussian {
 		for (int i = 0; i < kernel.length; i++)
 			kernel[i] -= mean;
 		return kernel;
-	}
-
-	private static float[] alongRows(final float[] in, final int width, final double[] kernel) {
-		final int radius = kernel.length / 2;
-		final float[] out = new float[in.length];
-		for (int row = 0; row < in.length; row += width)
-			for (int x = 0; x < width; x++) {
-				double sum = 0;
-				for (int k = 0; k < kernel.length; k++) {
-					final int at = Math.min(Math.max(x + k - radius, 0), width - 1);
-					sum += kernel[k] * in[row + at];
-				}
-				out[row + x] = (float) sum;
-			}
-		return out;
-	}
-
-	private static float[] transposed(final float[] in, final int width) {
-		final int height = in.length / width;
-		final float[] out = new float[in.length];
-		for (int y = 0; y < height; y++)
-			for (int x = 0; x < width; x++)
-				out[x * height + y] = in[y * width + x];
-		return out;
 	}
 
 	/** Rounding noise of a flat frame is not a ridge. */

@@ -3,16 +3,22 @@ package io.github.knotresolver.pipeline;
 import java.util.AbstractList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 import net.imglib2.RandomAccessibleInterval;
 import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
 import net.imglib2.type.numeric.real.FloatType;
 
+import org.apache.commons.math3.stat.descriptive.rank.Median;
+
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.graph.SkeletonGraph;
+import io.github.knotresolver.image.ContrastStretch;
 import io.github.knotresolver.image.FrameCleaner;
+import io.github.knotresolver.image.GaussianBlur;
 import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.image.PixelNoise;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.mask.ActiveContourOnly;
 import io.github.knotresolver.mask.FilamentSegmenter;
@@ -26,14 +32,21 @@ import io.github.knotresolver.track.FrameView;
 /** Walks frames from their pixels to the graphs of their skeletons. */
 final class FramePreparer {
 
+	/** Noise of a stretched frame from which on it is blurred, and by how much (pixels). */
+	private static final double NOISY = 0.15, BLUR = 1;
+
+	private static final int FRAMES_TO_LOOK_AT = 5;
+
 	private final Movie movie;
 	private final FrameCleaner cleaner;
+	private final boolean blurs;
 	private final Segmentation.Steps steps;
 	private final FilamentSegmenter segmenter;
 
 	FramePreparer(final Movie movie, final Parameters parameters) {
 		this.movie = movie;
 		cleaner = new FrameCleaner(parameters.cleaning());
+		blurs = !parameters.isPublished() && isNoisy(movie);
 		steps = parameters.segmentation().steps();
 		segmenter = parameters.isPublished()
 			? new FilamentSegmenter(parameters.segmentation())
@@ -72,7 +85,23 @@ final class FramePreparer {
 	}
 
 	private Img<FloatType> clean(final int frame) {
-		return cleaner.clean(movie.frame(frame - 1));
+		final Img<FloatType> clean = cleaner.clean(movie.frame(frame - 1));
+		return blurs
+			? Pixels.image(GaussianBlur.blur(Pixels.floats(clean), movie.width(), BLUR),
+				movie.width())
+			: clean;
+	}
+
+	/** Whether single pixels say little: looks at a few frames of the movie. */
+	private static boolean isNoisy(final Movie movie) {
+		final int stride = 1 + (movie.size() - 1) / FRAMES_TO_LOOK_AT;
+		final double[] noise = IntStream.range(0, movie.size()).filter(t -> t % stride == 0)
+			.mapToDouble(t -> PixelNoise.of(
+				Pixels.doubles(ContrastStretch.saturate(movie.frame(t),
+					FrameCleaner.SATURATED_PERCENT, FrameCleaner.SATURATED_PERCENT)),
+				movie.width()))
+			.toArray();
+		return new Median().evaluate(noise) > NOISY;
 	}
 
 	/** The frame above its background; pixels without a value are taken for background. */

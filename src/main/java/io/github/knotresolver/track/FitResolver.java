@@ -11,6 +11,8 @@ import java.util.Set;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
+import org.apache.commons.math3.stat.descriptive.rank.Median;
+
 import io.github.knotresolver.candidate.CandidateGenerator;
 import io.github.knotresolver.candidate.CandidateQuery;
 import io.github.knotresolver.candidate.CandidateSet;
@@ -38,6 +40,9 @@ public final class FitResolver {
 
 	/** The fixed end that is learned from the clearest frames is this near (pixels), or wrong. */
 	private static final double NEAR = 10;
+
+	/** Noise from which on frames are blurred, in strands' brightnesses, and by how much (pixels). */
+	private static final double NOISY = 0.3, BLUR = 1;
 
 	/** Number of hypotheses that are carried along. */
 	private static final int WIDTH = 3;
@@ -85,7 +90,8 @@ public final class FitResolver {
 	public Optional<Resolved> resolve(final List<FrameView> frames, final Point fixedEnd,
 		final OptionalDouble length, final Map<Integer, Polyline> corrections) {
 		final List<CandidateSet> first = candidates(frames, fixedEnd, OptionalDouble.empty());
-		final List<FrameView> steady = withoutBleaching(frames, first);
+		final StrandLight strands = StrandLight.of(frames, first);
+		final List<FrameView> steady = withoutBleaching(calmed(frames, strands), strands);
 		final List<Sighting> sightings = Sightings.choose(steady, first);
 		return sightings.isEmpty()
 			? Optional.empty()
@@ -93,18 +99,27 @@ public final class FitResolver {
 				.map(e -> resolve(steady, fixedEnd, e, corrections));
 	}
 
-	private List<FrameView> withoutBleaching(final List<FrameView> frames,
-		final List<CandidateSet> sets) {
+	private static List<FrameView> withoutBleaching(final List<FrameView> frames,
+		final StrandLight strands) {
 		final int first = frames.get(0).frame();
 		final double[] brightness = new double[frames.get(frames.size() - 1).frame() - first + 1];
 		Arrays.fill(brightness, Double.NaN);
-		final StrandLight strands = StrandLight.of(frames, sets);
 		for (int t = 0; t < frames.size(); t++)
 			brightness[frames.get(t).frame() - first] = strands.light()[t];
 		final Bleaching learned = Bleaching.learn(brightness);
 		// A filament that winds up seems to brighten.
 		final Bleaching bleaching = strands.open() || learned.rate() > 0 ? learned : Bleaching.NONE;
 		return frames.stream().map(f -> f.scaled(bleaching.factor(f.frame() - first))).toList();
+	}
+
+	/** Where single pixels say little, a fit would follow their noise. */
+	private List<FrameView> calmed(final List<FrameView> frames, final StrandLight strands) {
+		final double[] known = Arrays.stream(strands.light()).filter(l -> l > 0).toArray();
+		final double[] noise = frames.stream().mapToDouble(f -> f.light().noise()).toArray();
+		return known.length == 0
+			|| new Median().evaluate(noise) < NOISY * new Median().evaluate(known)
+				? frames
+				: workers.map(frames.size(), t -> frames.get(t).blurred(BLUR));
 	}
 
 	private Optional<FilamentEstimate> estimate(final List<Sighting> sightings,

@@ -39,4 +39,12 @@ public record FrameView(int frame, NormalizedFrame light, Img<BitType> mask, Ske
 			? this
 			: new FrameView(frame, light.rescaled(0, amplitude), mask, graph);
 	}
+
+	/**
+	 * @param sigma of a Gaussian in pixels, above 0
+	 * @return the same frame with blurred light
+	 */
+	FrameView blurred(final double sigma) {
+		return new FrameView(frame, light.blurred(sigma), mask, graph);
+	}
 }

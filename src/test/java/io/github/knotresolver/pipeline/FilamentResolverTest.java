@@ -77,6 +77,15 @@ class FilamentResolverTest {
 	}
 
 	@Test
+	void aFilamentInStrongNoiseKeepsItsLength() {
+		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(20, LENGTH, 2), List.of(),
+			GAUSSIAN, 0.42, 33);
+		final Resolution result = resolve(drawn, Parameters.DEFAULT);
+		assertFollows(drawn, result, Set.of());
+		assertEquals(LENGTH, result.length(), 0.02 * LENGTH);
+	}
+
+	@Test
 	void aForeignFilamentThatTouchesForTenFramesDoesNotCaptureTheContour() {
 		final List<Chain> chains = DrawnMovie.waves(30, LENGTH, 0.9);
 		final List<List<Chain>> foreign = new ArrayList<>();
