@@ -56,6 +56,9 @@ final class MeasureSubcommand implements Callable<Integer> {
 	@Option(names = "--rigidity", paramLabel = "B", description = "In pN µm²: gives bending energies in pN µm [off].")
 	private String rigidity;
 
+	@Option(names = "--spectra", paramLabel = "LIST", description = "Quantities whose spectra are wanted, such as tip_angle,length [tip_angle].")
+	private String spectra;
+
 	@Option(names = "--plots", negatable = true, defaultValue = "true", fallbackValue = "true", description = "Draw figures, or not [on].")
 	private boolean plots;
 
@@ -96,6 +99,7 @@ final class MeasureSubcommand implements Callable<Integer> {
 		texts.put("smoothing_order", order);
 		texts.put("persistence_length", persistenceLength);
 		texts.put("rigidity", rigidity);
+		texts.put("spectra", spectra);
 		return MeasureOptions.parse(texts);
 	}
 }

@@ -57,6 +57,9 @@ public class MeasureContoursCommand extends KnotCommand {
 	@Parameter(label = "Rigidity (pN µm²)", description = "Gives bending energies in pN µm", required = false, persist = false)
 	private String rigidity = "";
 
+	@Parameter(label = "Spectra of", description = "Quantities, such as tip_angle,end_to_end,length", required = false, persist = false)
+	private String spectra = "tip_angle";
+
 	@Parameter(label = "Out (folder)", description = "Empty to write no files", style = FileWidget.DIRECTORY_STYLE, required = false, persist = false)
 	private File out;
 
@@ -105,8 +108,8 @@ public class MeasureContoursCommand extends KnotCommand {
 		LivePlots.series(m, Quantity.END_TO_END).show();
 		LivePlots.series(m, Quantity.LENGTH).show();
 		LivePlots.series(m, Quantity.TIP_ANGLE).show();
-		if (m.dominantFrequency(Quantity.TIP_ANGLE).isPresent())
-			LivePlots.spectrum(m, Quantity.TIP_ANGLE).show();
+		m.spectra().stream().filter(q -> m.dominantFrequency(q).isPresent())
+			.forEach(q -> LivePlots.spectrum(m, q).show());
 		Figures.tangentAngleImage(m).show();
 		Figures.curvatureImage(m).show();
 	}

@@ -3,6 +3,7 @@ package io.github.knotresolver.io;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -10,6 +11,7 @@ import java.util.TreeMap;
 
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.measure.MovieMeasurements;
+import io.github.knotresolver.measure.Quantity;
 import io.github.knotresolver.measure.Rigidity;
 import io.github.knotresolver.measure.Smoothing;
 import io.github.knotresolver.progress.Progress;
@@ -23,7 +25,7 @@ public final class MeasureOptions {
 	/** Every key. */
 	public static final Set<String> KEYS = Collections
 		.unmodifiableSet(new LinkedHashSet<>(Arrays.asList("pixel_size", "unit", "frame_interval",
-			"smoothing_window", "smoothing_order", "persistence_length", "rigidity")));
+			"smoothing_window", "smoothing_order", "persistence_length", "rigidity", "spectra")));
 
 	private final Map<String, String> given;
 
@@ -54,7 +56,12 @@ public final class MeasureOptions {
 	public MovieMeasurements measure(final ContourInput contours, final Progress progress) {
 		final Calibration c = calibration(contours.calibration());
 		return MovieMeasurements.of(contours.name(), contours.contours(), c, smoothing(contours, c),
-			stiffness(), contours.lengthErrorPx() * c.pixelSize(), progress);
+			stiffness(), contours.lengthErrorPx() * c.pixelSize(), progress).withSpectra(spectra());
+	}
+
+	private List<Quantity> spectra() {
+		return Arrays.stream(given.getOrDefault("spectra", Quantity.TIP_ANGLE.key()).split(","))
+			.map(text -> OptionText.choice("spectra", text, Quantity.class)).distinct().toList();
 	}
 
 	private Calibration calibration(final Calibration told) {

@@ -5,10 +5,12 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 
 import com.google.gson.GsonBuilder;
 
@@ -22,19 +24,20 @@ import io.github.knotresolver.measure.FrameMeasurement;
 import io.github.knotresolver.measure.Kymograph;
 import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.measure.Quantity;
+import io.github.knotresolver.measure.Spectrum;
 import io.github.knotresolver.measure.TravellingWave;
 
 /**
  * Measurements as tidy tables: {@code contours.csv} has one row a point of
  * the smoothed contour,
  * {@code frames.csv} one row a frame, {@code crossings.csv} one row a crossing,
- * {@code oscillations.csv} one row a quantity, {@code waves.csv} one row a
- * field; {@code parameters.json} holds what they were made with. Columns that
+ * {@code oscillations.csv} one row a quantity, {@code spectra.csv} one row a
+ * quantity and frequency, {@code waves.csv} one row a field; {@code parameters.json} holds what they were made with. Columns that
  * end in {@code _se} are standard errors; what is missing is empty.
  */
 public final class MeasurementTables {
 
-	/** The quantities whose oscillation is looked for. */
+	/** The quantities whose oscillation is looked for, besides those whose spectra are wanted. */
 	private static final List<Quantity> OSCILLATING = List.of(Quantity.TIP_ANGLE,
 		Quantity.END_TO_END, Quantity.BENDING_ENERGY);
 
@@ -56,6 +59,7 @@ public final class MeasurementTables {
 		writeFrames(folder.resolve(FramesCsv.FILE));
 		writeCrossings(folder.resolve("crossings.csv"));
 		writeOscillations(folder.resolve("oscillations.csv"));
+		writeSpectra(folder.resolve("spectra.csv"));
 		writeWaves(folder.resolve("waves.csv"));
 		writeParameters(folder.resolve(ParametersJson.FILE));
 	}
@@ -118,7 +122,7 @@ public final class MeasurementTables {
 		try (CSVPrinter csv = CsvFile.create(file, "quantity", "dominant_frequency",
 			"dominant_frequency_se", "frequency_unit", "amplitude", "amplitude_unit", "phase",
 			"false_alarm_probability")) {
-			for (final Quantity q : OSCILLATING) {
+			for (final Quantity q : oscillating()) {
 				final Optional<DominantFrequency> d = movie.dominantFrequency(q);
 				if (d.isPresent())
 					csv.printRecord(q.key(), NumberText.significant(d.get().frequency()),
@@ -126,6 +130,26 @@ public final class MeasurementTables {
 						NumberText.significant(d.get().amplitude()), movie.unit(q),
 						NumberText.significant(d.get().phase()),
 						NumberText.significant(d.get().falseAlarmProbability()));
+			}
+		}
+	}
+
+	private Set<Quantity> oscillating() {
+		final Set<Quantity> all = EnumSet.copyOf(OSCILLATING);
+		all.addAll(movie.spectra());
+		return all;
+	}
+
+	/** Quantities of which too few frames are known have no spectrum. */
+	private void writeSpectra(final Path file) throws IOException {
+		try (CSVPrinter csv = CsvFile.create(file, "quantity", "frequency", "amplitude",
+			"frequency_unit", "amplitude_unit")) {
+			for (final Quantity q : movie.spectra()) {
+				final Spectrum spectrum = movie.spectrum(q);
+				final double[] f = spectrum.frequency(), a = spectrum.amplitude();
+				for (int i = 0; i < f.length; i++)
+					csv.printRecord(q.key(), NumberText.significant(f[i]),
+						NumberText.significant(a[i]), movie.frequencyUnit(), movie.unit(q));
 			}
 		}
 	}

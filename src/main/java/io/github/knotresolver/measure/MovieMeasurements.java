@@ -22,14 +22,30 @@ public final class MovieMeasurements {
 	private final Smoothing smoothing;
 	private final Rigidity rigidity;
 	private final List<FrameMeasurement> frames;
+	private final List<Quantity> spectra;
 
 	private MovieMeasurements(final String name, final Calibration calibration,
-		final Smoothing smoothing, final Rigidity rigidity, final List<FrameMeasurement> frames) {
+		final Smoothing smoothing, final Rigidity rigidity, final List<FrameMeasurement> frames,
+		final List<Quantity> spectra) {
 		this.name = name;
 		this.calibration = calibration;
 		this.smoothing = smoothing;
 		this.rigidity = rigidity;
 		this.frames = List.copyOf(frames);
+		this.spectra = List.copyOf(spectra);
+	}
+
+	/**
+	 * @param chosen quantities whose spectra are wanted
+	 * @return the same measurements
+	 */
+	public MovieMeasurements withSpectra(final List<Quantity> chosen) {
+		return new MovieMeasurements(name, calibration, smoothing, rigidity, frames, chosen);
+	}
+
+	/** @return quantities whose spectra are wanted; the tip angle if nothing was said */
+	public List<Quantity> spectra() {
+		return spectra;
 	}
 
 	/**
@@ -110,7 +126,8 @@ public final class MovieMeasurements {
 				.orElseGet(() -> FrameMeasurement.missing(i + 1)))
 			.toList();
 		progress.report("Measuring", 1);
-		return new MovieMeasurements(name, c, smoothing, rigidity, frames);
+		return new MovieMeasurements(name, c, smoothing, rigidity, frames,
+			List.of(Quantity.TIP_ANGLE));
 	}
 
 	private static void requireContours(final List<Optional<Polyline>> contours) {

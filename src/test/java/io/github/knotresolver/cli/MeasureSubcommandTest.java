@@ -90,6 +90,20 @@ class MeasureSubcommandTest {
 		assertFalse(Files.exists(out.resolve("tip_angle_spectrum.png")));
 	}
 
+	@Test
+	void spectraOfChosenQuantitiesAreGiven() throws IOException {
+		final Path out = folder.resolve("out");
+		assertEquals(0, run(contours(20, "µm", 0.1).toString(), "--out", out.toString(),
+			"--spectra", "length,turning_number"), err.toString());
+		assertTrue(Files.exists(out.resolve("length_spectrum.png")));
+		assertFalse(Files.exists(out.resolve("tip_angle_spectrum.png")));
+		final List<String> rows = Files.readAllLines(out.resolve("spectra.csv"));
+		assertEquals("quantity,frequency,amplitude,frequency_unit,amplitude_unit", rows.get(0));
+		assertEquals(List.of("length", "turning_number"),
+			rows.stream().skip(1).map(r -> r.substring(0, r.indexOf(','))).distinct().toList());
+		assertTrue(Files.readString(out.resolve("oscillations.csv")).contains("length,"));
+	}
+
 	@ParameterizedTest
 	@CsvSource(delimiter = '|', value = {"frame,index,x_px,y_px| has no contour", "| is empty",
 		"1,2| has 2 columns, but needs three", "1,0,x| y must be a number",
@@ -108,7 +122,7 @@ class MeasureSubcommandTest {
 
 	@ParameterizedTest
 	@CsvSource({"--smoothing-window,0", "--smoothing-order,9", "--persistence-length,-1",
-		"--rigidity,abc", "--pixel-size,0", "--frame-interval,none"})
+		"--rigidity,abc", "--pixel-size,0", "--spectra,weight", "--frame-interval,none"})
 	void wrongValuesAreRefused(final String option, final String value) throws IOException {
 		assertEquals(2, run(contours(3, "µm").toString(), "--out", folder.resolve("out").toString(),
 			option, value));
@@ -146,10 +160,17 @@ class MeasureSubcommandTest {
 
 	/** Quarters of a circle of 40 px that turn; 0.1 of the unit a pixel. */
 	private Path contours(final int frames, final String unit) throws IOException {
+		return contours(frames, unit, 0);
+	}
+
+	/** Arcs of a circle that turn to and fro, and grow and shrink by a part of their length. */
+	private Path contours(final int frames, final String unit, final double breathing)
+		throws IOException {
 		final StringBuilder text = new StringBuilder("frame,index,x_px,y_px,x,y,unit\n");
 		for (int f = 1; f <= frames; f++)
 			for (int i = 0; i <= 60; i++) {
-				final double a = Math.PI / 2 * i / 60 + 0.2 * Math.sin(f);
+				final double a = Math.PI / 2 * (1 + breathing * Math.cos(f)) * i / 60
+					+ 0.2 * Math.sin(f);
 				final double x = 100 + 40 * Math.cos(a), y = 100 + 40 * Math.sin(a);
 				text.append(String.format(Locale.ROOT, "%d,%d,%.3f,%.3f,%.4f,%.4f,%s%n", f, i, x, y,
 					x / 10, y / 10, unit));

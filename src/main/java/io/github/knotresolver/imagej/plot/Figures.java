@@ -37,8 +37,8 @@ public final class Figures {
 	/**
 	 * The figures as JFreeChart charts, by file name without ending: {@code
 	 * contours, tangent_angle_kymograph, curvature_kymograph, end_to_end, length,
-	 * tip_angle, tip_angle_spectrum}. The spectrum is left out if fewer than eight
-	 * frames have a contour.
+	 * tip_angle, tip_angle_spectrum}, or the spectra of other quantities that were
+	 * chosen. A spectrum is left out if fewer than eight frames have a contour.
 	 *
 	 * @param m the measurements
 	 * @return the charts, in a fixed order
@@ -50,8 +50,8 @@ public final class Figures {
 		charts.put("curvature_kymograph", KymographChart.curvature(m));
 		for (final Quantity q : List.of(Quantity.END_TO_END, Quantity.LENGTH, Quantity.TIP_ANGLE))
 			charts.put(q.key(), SeriesChart.of(m, q));
-		SpectrumChart.of(m, Quantity.TIP_ANGLE)
-			.ifPresent(c -> charts.put(Quantity.TIP_ANGLE.key() + "_spectrum", c));
+		for (final Quantity q : m.spectra())
+			SpectrumChart.of(m, q).ifPresent(c -> charts.put(q.key() + "_spectrum", c));
 		return charts;
 	}
 
