@@ -19,6 +19,8 @@ import net.imglib2.view.Views;
 
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 import io.github.knotresolver.CancelledProgress;
 import io.github.knotresolver.geometry.Calibration;
@@ -161,6 +163,26 @@ class LikeStudyTest {
 		assertEquals(0, none.resolved().percent());
 		assertEquals(0, none.positionErrors().length);
 		assertTrue(Double.isNaN(none.discrimination()));
+	}
+
+	@ParameterizedTest
+	@CsvSource({"2.5, s, 2", "2500, ms, 2", "0.5, min, 0.16666666666666666"})
+	void timeRunsAsTheMoviesOwnUnitSays(final double interval, final String unit,
+		final double speed) {
+		assertEquals(speed, like(interval, unit).speed().orElseThrow(), 1e-12);
+	}
+
+	@Test
+	void withoutFrameIntervalNobodyKnowsHowTimeRuns() {
+		assertTrue(like(1, Calibration.NONE.timeUnit()).speed().isEmpty());
+	}
+
+	/** Nothing but the frame interval counts. */
+	private static LikeResult like(final double interval, final String unit) {
+		final Movie movie = new Movie("m", user.movie().frames(),
+			new Calibration(0.1, "µm", interval, unit));
+		return new LikeResult(source(new SimulatedMovie(movie, user.truth()), 1), MOTION,
+			result.traits(), List.of(), 1);
 	}
 
 	@Test
