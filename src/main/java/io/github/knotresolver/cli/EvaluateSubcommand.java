@@ -32,7 +32,7 @@ final class EvaluateSubcommand implements Callable<Integer> {
 	@Spec
 	private CommandSpec spec;
 
-	@Option(names = "--truth", paramLabel = "TRUTH.csv", description = "True contours: frame,index,x_px,y_px; fixed end first.")
+	@Option(names = "--truth", paramLabel = "TRUTH.csv", description = "True contours: frame,index,x_px,y_px; fixed end first. Or a folder with a contours.csv.")
 	private Path truth;
 
 	@Option(names = "--result", paramLabel = "CONTOURS.csv", description = "Contours to judge, likewise.")

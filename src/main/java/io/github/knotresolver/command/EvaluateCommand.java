@@ -3,7 +3,6 @@ package io.github.knotresolver.command;
 import java.awt.GraphicsEnvironment;
 import java.io.File;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.SortedMap;
@@ -24,7 +23,6 @@ import io.github.knotresolver.imagej.LikeFolder;
 import io.github.knotresolver.imagej.LikeRun;
 import io.github.knotresolver.imagej.ScoreFiles;
 import io.github.knotresolver.imagej.plot.ScorePlots;
-import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.EvaluationReport;
 import io.github.knotresolver.io.LikeReport;
 import io.github.knotresolver.io.ResultFolder;
@@ -116,12 +114,10 @@ public class EvaluateCommand extends KnotCommand {
 		ScorePlots.frechet(frames).show();
 	}
 
-	/** A folder stands for the contours in it. */
 	private static SortedMap<Integer, Polyline> read(final String key, final File given) {
 		if (given == null)
 			throw new IllegalArgumentException(
 				key + " is missing; name a contours.csv, or a folder with one.");
-		final Path path = given.toPath();
-		return TruthCsv.read(key, Files.isDirectory(path) ? path.resolve(ContoursCsv.FILE) : path);
+		return TruthCsv.read(key, given.toPath());
 	}
 }

@@ -1,6 +1,7 @@
 package io.github.knotresolver.fit;
 
 import java.util.Arrays;
+import java.util.Locale;
 
 /**
  * What a line looks like in the movie, in normalised intensities (background 0,
@@ -99,7 +100,7 @@ public record LineModel(Kind kind, double sigma, double power, double[] brightne
 
 	@Override
 	public String toString() {
-		return String.format(java.util.Locale.ROOT, "%s line, sigma %.2f px, power %.2f",
-			kind.name().toLowerCase(java.util.Locale.ROOT), sigma, power);
+		return String.format(Locale.ROOT, "%s line, sigma %.2f px, power %.2f",
+			kind.name().toLowerCase(Locale.ROOT), sigma, power);
 	}
 }

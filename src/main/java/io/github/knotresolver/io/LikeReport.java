@@ -73,11 +73,17 @@ public final class LikeReport {
 			add("%-28s no frame has a wrong contour, so it had nothing to tell", "confidence");
 			return;
 		}
-		add("%-28s median %.3f where right, %.3f where wrong (%d frames)", "confidence",
-			StatUtils.percentile(right, 50), StatUtils.percentile(wrong, 50), wrong.length);
+		add("%-28s median %s where right, %s where wrong (%d frames)", "confidence", median(right),
+			median(wrong), wrong.length);
 		if (right.length > 0)
 			add("%-28s %.3f (area under the ROC curve; 0.5 is chance)", "  tells right from wrong",
 				result.discrimination());
+	}
+
+	private static String median(final double[] values) {
+		return values.length == 0
+			? "-"
+			: String.format(Locale.ROOT, "%.3f", StatUtils.percentile(values, 50));
 	}
 
 	private void addResemblance() {
@@ -85,9 +91,17 @@ public final class LikeReport {
 		for (final Map.Entry<String, Double> trait : result.traits().values().entrySet())
 			add("%-34s %10s %10s", trait.getKey(), text(trait.getValue()),
 				text(result.simulated(trait.getKey())));
-		add("Simulated with %.0f motors/µm² and time running %.2f times as fast as in the model's default.",
-			result.motion().density(),
-			result.motion().interval() / result.source().movie().calibration().frameInterval());
+		addMotion();
+	}
+
+	private void addMotion() {
+		final double density = result.motion().density();
+		result.speed().ifPresentOrElse(speed -> add(
+			"Simulated with %.0f motors/µm² and time running %.2f times as fast as in the model's default.",
+			density, speed),
+			() -> add(
+				"Simulated with %.0f motors/µm² and %.3g s from frame to frame; the movie does not tell its own frame interval.",
+				density, result.motion().interval()));
 	}
 
 	private static String text(final double value) {

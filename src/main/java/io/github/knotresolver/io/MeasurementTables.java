@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -187,7 +188,7 @@ public final class MeasurementTables {
 		json.put("smoothing_window",
 			Double.valueOf(NumberText.significant(movie.smoothing().window())));
 		json.put("smoothing_order", movie.smoothing().order());
-		json.put("rigidity", movie.rigidity().kind().name().toLowerCase(java.util.Locale.ROOT));
+		json.put("rigidity", movie.rigidity().kind().name().toLowerCase(Locale.ROOT));
 		json.put("rigidity_value", movie.rigidity().value());
 		json.put("pixel_size", movie.calibration().pixelSize());
 		json.put("unit", movie.calibration().unit());

@@ -2,6 +2,7 @@
 package io.github.knotresolver.io;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.SortedMap;
@@ -23,14 +24,15 @@ public final class TruthCsv {
 	 * Reads contours that are to be compared.
 	 *
 	 * @param key the option that named the file
-	 * @param file the file
+	 * @param file the file, or a folder with a {@code contours.csv}
 	 * @return the contours in pixels, by 1-based frame
 	 * @throws IllegalArgumentException if it is not such a file; the sentence
 	 *           begins with the key
 	 */
 	public static SortedMap<Integer, Polyline> read(final String key, final Path file) {
 		try {
-			return ContoursCsv.read(file);
+			return ContoursCsv
+				.read(Files.isDirectory(file) ? file.resolve(ContoursCsv.FILE) : file);
 		} catch (final IllegalArgumentException e) {
 			throw new IllegalArgumentException(key + " cannot be used: " + e.getMessage(), e);
 		}

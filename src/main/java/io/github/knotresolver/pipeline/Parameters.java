@@ -1,5 +1,6 @@
 package io.github.knotresolver.pipeline;
 
+import java.util.Collections;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
@@ -76,8 +77,8 @@ public record Parameters(Optional<Point> fixedEnd, Cleaning cleaning, Segmentati
 		if (threads < 1)
 			throw new IllegalArgumentException(
 				"threads must be at least 1, but is " + threads + ".");
-		frames = java.util.Collections.unmodifiableSortedSet(new TreeSet<>(frames));
-		ignoreFrames = java.util.Collections.unmodifiableSortedSet(new TreeSet<>(ignoreFrames));
+		frames = Collections.unmodifiableSortedSet(new TreeSet<>(frames));
+		ignoreFrames = Collections.unmodifiableSortedSet(new TreeSet<>(ignoreFrames));
 		corrections = Map.copyOf(corrections);
 	}
 

@@ -164,7 +164,7 @@ class SimulateCommandLineTest {
 			for (final String kind : List.of(".png", ".svg"))
 				assertTrue(Files.size(home.resolve("scores-" + figure + kind)) > 0, figure + kind);
 		final Path bare = home.resolve("bare.csv");
-		assertEquals(0, run("evaluate", "--truth", truth, "--result", truth, "--out",
+		assertEquals(0, run("evaluate", "--truth", out.toString(), "--result", truth, "--out",
 			bare.toString(), "--no-plots").status);
 		assertFalse(Files.exists(home.resolve("bare-dice.png")));
 	}

@@ -10,6 +10,7 @@ import net.imglib2.img.array.ArrayImgs;
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.image.Pixels;
 
 /**
  * Movies of a clamped, beating filament, drawn with the line models of the fit, for tests.
@@ -82,7 +83,7 @@ public record DrawnMovie(Movie movie, List<Polyline> truth, LineModel model) {
 
 	/** A frame of the movie in the units of the fit. */
 	NormalizedFrame frame(final int t) {
-		final double[] pixels = io.github.knotresolver.image.Pixels.doubles(movie.frame(t));
+		final double[] pixels = Pixels.doubles(movie.frame(t));
 		return new NormalizedFrame(SIZE, SIZE, pixels).rescaled(BACKGROUND, BRIGHTNESS);
 	}
 

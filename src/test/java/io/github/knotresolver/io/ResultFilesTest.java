@@ -88,8 +88,7 @@ class ResultFilesTest {
 			Map.entry("refine", "false"), Map.entry("frames", "1-3"),
 			Map.entry("ignore_frames", "2"));
 		final Resolution resolution = resolution(RunOptions.parse(texts));
-		ParametersJson.write(home.resolve("p"), resolution, InputOptions.DEFAULT,
-			java.util.Optional.empty());
+		ParametersJson.write(home.resolve("p"), resolution, InputOptions.DEFAULT, Optional.empty());
 		final JsonObject json = JsonParser.parseString(Files.readString(home.resolve("p")))
 			.getAsJsonObject();
 		final Map<String, String> read = new TreeMap<>();

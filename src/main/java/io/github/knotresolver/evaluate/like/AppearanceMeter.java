@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 
 import org.apache.commons.math3.util.ResizableDoubleArray;
@@ -79,7 +80,7 @@ final class AppearanceMeter {
 			width, saturating && !range.clipped(), profile, along(profile, medians[0]), range);
 	}
 
-	private double median(final java.util.function.ToDoubleFunction<FrameSample> figure) {
+	private double median(final ToDoubleFunction<FrameSample> figure) {
 		return Medians.of(samples.stream().mapToDouble(figure).toArray());
 	}
 

@@ -38,7 +38,7 @@ public record ClusteredProportion(double percent, double low, double high) {
 		final double rho = Math.max(LEAST_CORRELATION, correlation(successes, trials, p, movies));
 		final double effective = n / (1 + (size - 1) * rho);
 		final int m = (int) Math.max(1, Math.rint(effective));
-		// Whole successes are what the library takes; the ends are scaled to the share itself.
+		// Whole successes are what the library takes; the share itself stays inside.
 		final ConfidenceInterval interval = new WilsonScoreInterval().createInterval(m,
 			(int) Math.rint(p * m), CONFIDENCE);
 		return new ClusteredProportion(100 * p, 100 * Math.min(p, interval.getLowerBound()),

@@ -35,7 +35,10 @@ record GreyScale(BitDepth depth, double black, double step) {
 		return (value - black) / step;
 	}
 
-	/** @return the same look in the movie's own grey values */
+	/**
+	 * @return the same look, its figures in the movie's own grey values; profile and
+	 *         range stay as drawn
+	 */
 	Appearance undone(final Appearance drawn) {
 		return new Appearance(black + step * drawn.background(), step * drawn.noise(),
 			step * drawn.noiseOnLine(), step * drawn.peak(), drawn.width(), drawn.saturating(),

@@ -2,6 +2,7 @@ package io.github.knotresolver.evaluate.like;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
 import java.util.function.ToIntFunction;
 import java.util.stream.IntStream;
@@ -23,6 +24,18 @@ public record LikeResult(LikeSource source, LikeMotion motion, LikeTraits traits
 
 	public LikeResult {
 		movies = List.copyOf(movies);
+	}
+
+	/**
+	 * @return how many times as fast as in the model's default time runs in the
+	 *         simulated movies; empty if the user's movie does not tell its frame
+	 *         interval
+	 */
+	public OptionalDouble speed() {
+		final OptionalDouble seconds = source.secondsPerFrame();
+		return seconds.isPresent()
+			? OptionalDouble.of(motion.interval() / seconds.getAsDouble())
+			: OptionalDouble.empty();
 	}
 
 	/** @return the share of frames that are resolved */

@@ -2,6 +2,7 @@ package io.github.knotresolver.evaluate.like;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.Polyline;
@@ -44,6 +45,17 @@ public record LikeSource(Movie movie, List<Optional<Polyline>> contours, Paramet
 	/** @return edge of a pixel in µm */
 	double pixelSize() {
 		return movie.calibration().pixelSize() * micrometres(movie.calibration().unit());
+	}
+
+	/** @return time between frames in s; empty if the movie does not tell it */
+	OptionalDouble secondsPerFrame() {
+		final double interval = movie.calibration().frameInterval();
+		return switch (movie.calibration().timeUnit()) {
+			case "s" -> OptionalDouble.of(interval);
+			case "ms" -> OptionalDouble.of(1e-3 * interval);
+			case "min" -> OptionalDouble.of(60 * interval);
+			default -> OptionalDouble.empty();
+		};
 	}
 
 	private static double micrometres(final String unit) {

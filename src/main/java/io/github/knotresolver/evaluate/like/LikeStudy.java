@@ -2,6 +2,7 @@ package io.github.knotresolver.evaluate.like;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SortedMap;
@@ -98,9 +99,19 @@ public final class LikeStudy {
 	 */
 	public LikeResult run(final int movies, final long seed, final Progress progress) {
 		check(movies);
+		return run(motion(seed, progress), movies, seed, progress);
+	}
+
+	private LikeMotion motion(final long seed, final Progress progress) {
 		try (Workers workers = new Workers(source.parameters().threads())) {
-			final LikeMotion like = new MotionSearch(source, motion, look.width()).search(seed,
-				workers, progress);
+			return new MotionSearch(source, motion, look.width()).search(seed, workers, progress);
+		}
+	}
+
+	/** The movies of a motion that is known already. */
+	LikeResult run(final LikeMotion like, final int movies, final long seed,
+		final Progress progress) {
+		try (Workers workers = new Workers(source.parameters().threads())) {
 			final List<LikeMovie> done = workers.map("Simulating and resolving", progress, movies,
 				i -> one(like, seed + 1 + i, new CancelOnly(progress)));
 			return new LikeResult(source, like, traits(), done, seed);
@@ -120,12 +131,6 @@ public final class LikeStudy {
 	 * @return the movie with its truth
 	 */
 	public SimulatedMovie movie(final LikeMotion like, final long seed, final Progress progress) {
-		return movie(like, new Backdrop(source.movie(), source.contours(), REACH * look.width() + 1,
-			look.background()), seed, progress);
-	}
-
-	private SimulatedMovie movie(final LikeMotion like, final Backdrop backdrop, final long seed,
-		final Progress progress) {
 		final Trajectory straight = new FilamentSimulator(
 			like.simulation(source.movie().size(), seed)).run(progress);
 		final Polyline first = source.contours().stream().flatMap(Optional::stream).findFirst()
@@ -194,6 +199,6 @@ public final class LikeStudy {
 		return new Parameters(p.fixedEnd().map(told -> first.first()), p.cleaning(),
 			p.segmentation(), p.candidates(), p.resolver(),
 			p.length().isPresent() ? OptionalDouble.of(first.length()) : OptionalDouble.empty(),
-			p.lengthModel(), p.refine(), new TreeSet<>(), new TreeSet<>(), java.util.Map.of(), 1);
+			p.lengthModel(), p.refine(), new TreeSet<>(), new TreeSet<>(), Map.of(), 1);
 	}
 }

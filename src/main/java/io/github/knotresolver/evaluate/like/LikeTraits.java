@@ -1,5 +1,6 @@
 package io.github.knotresolver.evaluate.like;
 
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -18,7 +19,7 @@ import io.github.knotresolver.image.Movie;
 public record LikeTraits(Map<String, Double> values) {
 
 	public LikeTraits {
-		values = java.util.Collections.unmodifiableMap(new LinkedHashMap<>(values));
+		values = Collections.unmodifiableMap(new LinkedHashMap<>(values));
 	}
 
 	static LikeTraits of(final Movie movie, final List<Optional<Polyline>> contours,

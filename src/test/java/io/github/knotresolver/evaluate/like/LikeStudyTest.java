@@ -2,6 +2,7 @@ package io.github.knotresolver.evaluate.like;
 
 import static org.junit.jupiter.api.Assertions.assertAll;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -16,7 +17,10 @@ import net.imglib2.type.numeric.RealType;
 import net.imglib2.type.numeric.real.FloatType;
 import net.imglib2.view.Views;
 
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 import io.github.knotresolver.CancelledProgress;
 import io.github.knotresolver.geometry.Calibration;
@@ -42,10 +46,28 @@ import io.github.knotresolver.track.TrackedFrame;
 class LikeStudyTest {
 
 	/** Length in µm, motors per µm², photons and width of the user's movie. */
-	private static final double LENGTH = 8, DENSITY = 50, SIGNAL = 120, SIGMA = 1.6;
+	private static final double LENGTH = 5, DENSITY = 50, SIGNAL = 120, SIGMA = 1.6;
 
 	private static final Optics OPTICS = new Optics(SIGMA, SIGNAL, 40, 2, Double.POSITIVE_INFINITY,
 		0, 0, 2);
+
+	/** What is simulated where the search is not looked at. */
+	private static final LikeMotion MOTION = new LikeMotion(LENGTH, Clamp.PIVOT, DENSITY, 5, 20);
+
+	private static SimulatedMovie user;
+
+	/** The longest part, done once: with two threads. */
+	private static LikeResult result;
+
+	@BeforeAll
+	static void searchOnce() {
+		user = user();
+		result = study(user, 2).run(4, 1, Progress.NONE);
+	}
+
+	private static LikeStudy study(final SimulatedMovie movie, final int threads) {
+		return new LikeStudy(source(movie, threads), (m, p, progress) -> stub(m, p), Progress.NONE);
+	}
 
 	/** Every other second frame of a coil, so that its own frame interval is 5 s. */
 	private static SimulatedMovie user() {
@@ -81,10 +103,6 @@ class LikeStudyTest {
 
 	@Test
 	void aMovieLikeASimulatedOneIsMadeAsThatWas() {
-		final SimulatedMovie user = user();
-		final LikeStudy study = new LikeStudy(source(user, 2), (m, p, progress) -> stub(m, p),
-			Progress.NONE);
-		final LikeResult result = study.run(4, 1, Progress.NONE);
 		assertAll(() -> assertAlike(result, "frames", 0), //
 			() -> assertAlike(result, "frame interval [s]", 0), //
 			() -> assertAlike(result, "pixel size [µm]", 0), //
@@ -108,62 +126,73 @@ class LikeStudyTest {
 
 	@Test
 	void greyValuesThatAreRealNumbersComeBackToo() {
-		final SimulatedMovie user = user();
 		final Img<FloatType> real = ArrayImgs.floats(user.movie().width(), user.movie().height(),
 			user.movie().size());
 		final Cursor<? extends RealType<?>> grey = Views.flatIterable(user.movie().frames())
 			.cursor();
 		for (final FloatType value : real)
 			value.setReal(0.001 * grey.next().getRealDouble());
-		final LikeStudy study = new LikeStudy(
-			source(new SimulatedMovie(new Movie("real.tif", real, user.movie().calibration()),
-				user.truth()), 2),
-			(m, p, progress) -> stub(m, p), Progress.NONE);
-		final LikeResult result = study.run(1, 1, Progress.NONE);
-		assertTrue(result.traits().values().get("peak over background [grey]") < 1);
-		assertAlike(result, "background [grey]", 0.02);
-		assertAlike(result, "peak over background [grey]", 0.08);
-		assertAlike(result, "noise [grey]", 0.08);
+		final SimulatedMovie same = new SimulatedMovie(
+			new Movie("real.tif", real, user.movie().calibration()), user.truth());
+		final LikeResult again = study(same, 2).run(MOTION, 1, 1, Progress.NONE);
+		assertTrue(again.traits().values().get("peak over background [grey]") < 1);
+		assertAlike(again, "background [grey]", 0.02);
+		assertAlike(again, "peak over background [grey]", 0.08);
+		assertAlike(again, "noise [grey]", 0.08);
 	}
 
 	@Test
 	void resultsDoNotDependOnThreadsButOnTheSeed() {
-		final SimulatedMovie user = user();
-		final LikeStudy study = new LikeStudy(source(user, 1), (m, p, progress) -> stub(m, p),
-			Progress.NONE);
-		final LikeStudy other = new LikeStudy(source(user, 2), (m, p, progress) -> stub(m, p),
-			Progress.NONE);
-		final LikeMotion motion = new LikeMotion(LENGTH,
-			io.github.knotresolver.simulate.Clamp.PIVOT, DENSITY, 5, 20);
-		assertEquals(study.movie(motion, 3, Progress.NONE).truth(),
-			other.movie(motion, 3, Progress.NONE).truth());
-		final LikeResult a = study.run(2, 5, Progress.NONE), b = other.run(2, 5, Progress.NONE);
-		assertEquals(a.motion(), b.motion());
-		assertEquals(a.movies().stream().map(LikeMovie::traits).toList(),
-			b.movies().stream().map(LikeMovie::traits).toList());
+		final LikeStudy study = study(user, 1);
+		final LikeResult other = study.run(4, 1, Progress.NONE);
+		assertEquals(result.motion(), other.motion());
+		assertEquals(result.movies().stream().map(LikeMovie::traits).toList(),
+			other.movies().stream().map(LikeMovie::traits).toList());
+		assertEquals(study.movie(MOTION, 3, Progress.NONE).truth(),
+			study.movie(MOTION, 3, Progress.NONE).truth());
+		assertNotEquals(study.movie(MOTION, 3, Progress.NONE).truth(),
+			study.movie(MOTION, 4, Progress.NONE).truth());
 	}
 
 	@Test
 	void aMovieInWhichNothingIsFoundCountsAsNotResolved() {
-		final LikeStudy study = new LikeStudy(source(user(), 2), (m, p, progress) -> {
+		final LikeStudy study = new LikeStudy(source(user, 2), (m, p, progress) -> {
 			throw new IllegalArgumentException("No filament was found.");
 		}, Progress.NONE);
-		final LikeResult result = study.run(1, 1, Progress.NONE);
-		assertEquals(0, result.resolved().percent());
-		assertEquals(0, result.positionErrors().length);
-		assertTrue(Double.isNaN(result.discrimination()));
+		final LikeResult none = study.run(MOTION, 1, 1, Progress.NONE);
+		assertEquals(0, none.resolved().percent());
+		assertEquals(0, none.positionErrors().length);
+		assertTrue(Double.isNaN(none.discrimination()));
+	}
+
+	@ParameterizedTest
+	@CsvSource({"2.5, s, 2", "2500, ms, 2", "0.5, min, 0.16666666666666666"})
+	void timeRunsAsTheMoviesOwnUnitSays(final double interval, final String unit,
+		final double speed) {
+		assertEquals(speed, like(interval, unit).speed().orElseThrow(), 1e-12);
+	}
+
+	@Test
+	void withoutFrameIntervalNobodyKnowsHowTimeRuns() {
+		assertTrue(like(1, Calibration.NONE.timeUnit()).speed().isEmpty());
+	}
+
+	/** Nothing but the frame interval counts. */
+	private static LikeResult like(final double interval, final String unit) {
+		final Movie movie = new Movie("m", user.movie().frames(),
+			new Calibration(0.1, "µm", interval, unit));
+		return new LikeResult(source(new SimulatedMovie(movie, user.truth()), 1), MOTION,
+			result.traits(), List.of(), 1);
 	}
 
 	@Test
 	void aUserMayStop() {
-		final LikeStudy study = new LikeStudy(source(user(), 2), (m, p, progress) -> stub(m, p),
-			Progress.NONE);
+		final LikeStudy study = study(user, 2);
 		assertThrows(CancelledException.class, () -> study.run(1, 1, new CancelledProgress()));
 	}
 
 	@Test
 	void whatTellsTooLittleIsRefused() {
-		final SimulatedMovie user = user();
 		final List<Optional<Polyline>> few = new ArrayList<>();
 		for (int t = 0; t < user.movie().size(); t++)
 			few.add(t < 2 ? Optional.of(user.truth().get(t)) : Optional.empty());
