@@ -67,12 +67,45 @@ public class SimulateMovieCommand extends KnotCommand {
 	@Parameter(label = "Stall force (pN)", min = "0.1", max = "1000", required = false, persist = false)
 	private double stall_force = 6;
 
+	@Parameter(label = "Binding rate (1/s)", description = "Of a motor within reach", min = "0", max = "1000", required = false, persist = false)
+	private double binding_rate = 5;
+
+	@Parameter(label = "Binding range (µm)", description = "Reach of a motor", min = "0.001", max = "0.2", required = false, persist = false)
+	private double binding_range = 0.02;
+
+	@Parameter(label = "Unbinding rate (1/s)", description = "Without load", min = "0", max = "1000", required = false, persist = false)
+	private double unbinding_rate = 0.04;
+
+	@Parameter(label = "Unbinding force (pN)", description = "Load that speeds up unbinding e-fold", min = "0.1", max = "1000", required = false, persist = false)
+	private double unbinding_force = 3;
+
+	@Parameter(label = "Motor stiffness (pN/µm)", description = "Of a motor's linker", min = "1", max = "10000", required = false, persist = false)
+	private double motor_stiffness = 100;
+
+	@Parameter(label = "Temperature (K)", min = "1", max = "400", required = false, persist = false)
+	private double temperature = 310;
+
+	@Parameter(label = "Viscosity (Pa s)", description = "Of the medium", min = "0.0001", max = "100", required = false, persist = false)
+	private double viscosity = 0.001;
+
+	@Parameter(label = "Axis height (µm)", description = "Of the filament above the surface", min = "0.0126", max = "10", required = false, persist = false)
+	private double axis_height = 0.05;
+
+	@Parameter(label = "Link (µm)", description = "Length of a link of the simulated chain", min = "0.02", max = "1", required = false, persist = false)
+	private double link = 0.1;
+
+	@Parameter(label = "Time step (s)", description = "Of the integration", min = "0.00001", max = "0.1", required = false, persist = false)
+	private double time_step = 0.005;
+
 	@Parameter(label = "Rendering", description = "paper: the published one; optical: microscope and camera", choices = {
 		"paper", "optical"}, required = false, persist = false)
 	private String rendering = "paper";
 
 	@Parameter(label = "Pixel size (µm)", min = "0.005", max = "10", required = false, persist = false)
 	private double pixel_size = 0.106;
+
+	@Parameter(label = "Margin (px)", description = "Around the filament", min = "0", max = "1000", required = false, persist = false)
+	private int margin = 20;
 
 	@Parameter(label = "SNR (dB or inf)", description = "Signal-to-noise ratio; paper only", required = false, persist = false)
 	private String snr = "20";
@@ -92,8 +125,14 @@ public class SimulateMovieCommand extends KnotCommand {
 	@Parameter(label = "Read noise (electrons)", min = "0", max = "1000", required = false, persist = false)
 	private double read_noise = 2;
 
+	@Parameter(label = "Bleaching time (s)", description = "In which light fades e-fold; empty for never", required = false, persist = false)
+	private String bleaching_time = "";
+
 	@Parameter(label = "Others", description = "Other filaments that glide through the view", min = "0", max = "100", required = false, persist = false)
 	private int others = 0;
+
+	@Parameter(label = "Glide (px)", description = "Way of the others from frame to frame", min = "0", max = "1000", required = false, persist = false)
+	private double glide = 1;
 
 	@Parameter(label = "Debris", description = "Specks that shine", min = "0", max = "1000", required = false, persist = false)
 	private int debris = 0;
@@ -125,21 +164,21 @@ public class SimulateMovieCommand extends KnotCommand {
 		final double bending = persistence_length.isBlank()
 			? FilamentProperties.microtubule(length).persistenceLength()
 			: OptionText.positive("persistence_length", persistence_length);
-		final FilamentProperties usual = FilamentProperties.microtubule(length);
-		final MotorProperties dynein = MotorProperties.dynein(density);
 		return new SimulationParameters(
-			new FilamentProperties(length, bending, usual.link(),
+			new FilamentProperties(length, bending, link,
 				Clamp.valueOf(clamp.toUpperCase(Locale.ROOT))),
-			new MotorProperties(density, dynein.bindingRate(), dynein.bindingRange(),
-				dynein.unbindingRate(), dynein.unbindingForce(), stall_force, motor_speed,
-				dynein.stiffness()),
-			MediumProperties.WATER,
-			new Schedule(duration, frames, Schedule.PUBLISHED.timeStep(), warm_up), seed);
+			new MotorProperties(density, binding_rate, binding_range, unbinding_rate,
+				unbinding_force, stall_force, motor_speed, motor_stiffness),
+			new MediumProperties(temperature, viscosity, axis_height),
+			new Schedule(duration, frames, time_step, warm_up), seed);
 	}
 
 	private Rendering rendering() {
-		return new Rendering(rendering.equalsIgnoreCase("optical"), pixel_size, Rendering.MARGIN,
+		final double bleaching = bleaching_time.isBlank()
+			? Double.POSITIVE_INFINITY
+			: OptionText.positive("bleaching_time", bleaching_time);
+		return new Rendering(rendering.equalsIgnoreCase("optical"), pixel_size, margin,
 			Integer.parseInt(bits), snr, new Optics(psf_sigma, signal, background, read_noise,
-				Double.POSITIVE_INFINITY, others, Optics.CLEAN.glide(), debris));
+				bleaching, others, glide, debris));
 	}
 }

@@ -5,12 +5,14 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 
 import org.apache.commons.math3.stat.StatUtils;
 
 import io.github.knotresolver.evaluate.CurveScore;
 import io.github.knotresolver.evaluate.ErrorHistogram;
 import io.github.knotresolver.evaluate.like.ClusteredProportion;
+import io.github.knotresolver.evaluate.like.LikeMovie;
 import io.github.knotresolver.evaluate.like.LikeResult;
 
 /** A study of movies like a user's in a few lines, for people. */
@@ -31,6 +33,7 @@ public final class LikeReport {
 	public static List<String> lines(final LikeResult result) {
 		final LikeReport report = new LikeReport(result);
 		report.addHeader();
+		report.addRefusals();
 		report.addScores();
 		report.addConfidence();
 		report.addResemblance();
@@ -40,6 +43,13 @@ public final class LikeReport {
 	private void addHeader() {
 		add("%d simulated movies like '%s', %d frames each, resolved as yours was:",
 			result.movies().size(), result.source().movie().name(), result.source().movie().size());
+	}
+
+	private void addRefusals() {
+		final List<String> refusals = result.movies().stream().map(LikeMovie::refusal)
+			.flatMap(Optional::stream).toList();
+		if (!refusals.isEmpty())
+			add("%d of them were refused, the first with: %s", refusals.size(), refusals.get(0));
 	}
 
 	private void addScores() {

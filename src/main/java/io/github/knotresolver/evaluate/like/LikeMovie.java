@@ -1,6 +1,7 @@
 package io.github.knotresolver.evaluate.like;
 
 import java.util.List;
+import java.util.Optional;
 
 import io.github.knotresolver.evaluate.Evaluation;
 
@@ -13,9 +14,10 @@ import io.github.knotresolver.evaluate.Evaluation;
  * @param confidence for every frame, how sure the program was; NaN without a
  *          contour
  * @param traits what it looks like and how it moves
+ * @param refusal why nothing was resolved, in one sentence; empty if it was
  */
 public record LikeMovie(long seed, Evaluation evaluation, List<Boolean> knotted,
-	List<Double> confidence, LikeTraits traits) {
+	List<Double> confidence, LikeTraits traits, Optional<String> refusal) {
 
 	public LikeMovie {
 		knotted = List.copyOf(knotted);

@@ -1,6 +1,7 @@
 package io.github.knotresolver.evaluate.like;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -21,6 +22,7 @@ import io.github.knotresolver.simulate.Canvas;
 import io.github.knotresolver.simulate.FilamentSimulator;
 import io.github.knotresolver.simulate.SimulatedMovie;
 import io.github.knotresolver.simulate.Trajectory;
+import io.github.knotresolver.track.TrackedFrame;
 
 /**
  * Simulates movies that resemble a user's, resolves them with the user's
@@ -163,16 +165,21 @@ public final class LikeStudy {
 		for (int t = 0; t < simulated.truth().size(); t++)
 			truth.put(t + 1, simulated.truth().get(t));
 		final List<Double> confidence = new ArrayList<>();
-		final Optional<Resolution> result = resolve(simulated, progress);
-		for (int t = 0; t < truth.size(); t++) {
-			final int frame = t;
-			result.ifPresent(r -> r.frames().get(frame).contour()
-				.ifPresent(contour -> found.put(frame + 1, contour)));
-			confidence.add(result.map(r -> r.frames().get(frame).confidence()).orElse(Double.NaN));
+		Optional<String> refusal = Optional.empty();
+		try {
+			for (final TrackedFrame f : engine
+				.resolve(simulated.movie(), parameters(simulated), progress).frames()) {
+				f.contour().ifPresent(contour -> found.put(f.frame(), contour));
+				confidence.add(f.confidence());
+			}
+		} catch (final IllegalArgumentException e) {
+			// A movie in which no filament is found is one without contours.
+			refusal = Optional.of(e.getMessage());
+			confidence.addAll(Collections.nCopies(truth.size(), Double.NaN));
 		}
 		return new LikeMovie(seed, Evaluation.of(truth, found, progress),
 			simulated.truth().stream().map(c -> Shape.of(c, look.width()).knotted()).toList(),
-			confidence, traits(simulated, progress));
+			confidence, traits(simulated, progress), refusal);
 	}
 
 	private LikeTraits traits(final SimulatedMovie simulated, final Progress progress) {
@@ -181,15 +188,6 @@ public final class LikeStudy {
 		final Appearance own = GreyScale.of(source.movie(), look.range())
 			.undone(AppearanceMeter.of(simulated.movie(), truth, progress));
 		return LikeTraits.of(simulated.movie(), truth, own, Motion.of(truth, look.width()));
-	}
-
-	/** A movie in which no filament is found is one without contours. */
-	private Optional<Resolution> resolve(final SimulatedMovie simulated, final Progress progress) {
-		try {
-			return Optional.of(engine.resolve(simulated.movie(), parameters(simulated), progress));
-		} catch (final IllegalArgumentException e) {
-			return Optional.empty();
-		}
 	}
 
 	/** The user's, in one thread; what was told of places and frames cannot be told again. */

@@ -163,6 +163,7 @@ class LikeStudyTest {
 		assertEquals(0, none.resolved().percent());
 		assertEquals(0, none.positionErrors().length);
 		assertTrue(Double.isNaN(none.discrimination()));
+		assertEquals(Optional.of("No filament was found."), none.movies().get(0).refusal());
 	}
 
 	@ParameterizedTest
