@@ -16,7 +16,7 @@ import io.github.knotresolver.measure.Kymograph;
  */
 final class KymographImage {
 
-	private static final int LEAST_SIZE = 400, LARGEST_ZOOM = 32;
+	private static final int LEAST_SIZE = 600, LARGEST_ZOOM = 32;
 
 	private KymographImage() {
 	}
