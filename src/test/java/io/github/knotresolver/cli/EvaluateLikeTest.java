@@ -9,6 +9,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 
 import org.junit.jupiter.api.BeforeAll;
@@ -40,7 +41,7 @@ class EvaluateLikeTest {
 	}
 
 	private static Run like(final String... more) {
-		final List<String> args = new java.util.ArrayList<>(
+		final List<String> args = new ArrayList<>(
 			List.of("evaluate", "--like", resolved.toString(), "--movies", "2"));
 		args.addAll(List.of(more));
 		return run(Progress.NONE, args.toArray(String[]::new));
@@ -99,7 +100,7 @@ class EvaluateLikeTest {
 		"--movie gone.tif|--movie cannot be used: There is no file gone.tif; check the path.",
 		"--truth a.csv|--like stands alone: leave out --truth and --result, or --like to compare those."})
 	void wrongValuesAreOneSentenceAndStatus2(final String options, final String sentence) {
-		final List<String> args = new java.util.ArrayList<>(
+		final List<String> args = new ArrayList<>(
 			List.of("evaluate", "--like", resolved.toString()));
 		args.addAll(List.of(options.split(" ")));
 		final Run run = run(Progress.NONE, args.toArray(String[]::new));
