@@ -16,7 +16,6 @@ import ij.WindowManager;
 import ij.plugin.frame.RoiManager;
 import io.github.knotresolver.imagej.RoiContours;
 import io.github.knotresolver.imagej.form.Form;
-import io.github.knotresolver.imagej.plot.Figures;
 import io.github.knotresolver.imagej.plot.LivePlots;
 import io.github.knotresolver.imagej.plot.MeasurementFolder;
 import io.github.knotresolver.io.ContourInput;
@@ -110,7 +109,6 @@ public class MeasureContoursCommand extends KnotCommand {
 		LivePlots.series(m, Quantity.TIP_ANGLE).show();
 		m.spectra().stream().filter(q -> m.dominantFrequency(q).isPresent())
 			.forEach(q -> LivePlots.spectrum(m, q).show());
-		Figures.tangentAngleImage(m).show();
-		Figures.curvatureImage(m).show();
+		LivePlots.showKymographs(m);
 	}
 }

@@ -2,9 +2,7 @@ package io.github.knotresolver.imagej;
 
 import java.awt.GraphicsEnvironment;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.function.IntToDoubleFunction;
 
 import ij.measure.ResultsTable;
@@ -24,11 +22,13 @@ public final class ContourTables {
 
 	private static final String CONFIDENCE = "confidence";
 
+	private static final int PLACE_DECIMALS = 3, CURVATURE_DECIMALS = 5;
+
 	/** The values of a frame's points; fewer, or none, if they were not measured. */
 	@FunctionalInterface
-	private interface Column {
+	private interface Values {
 
-		double[] values(MeasuredFrame frame, Polyline contour);
+		double[] of(MeasuredFrame frame, Polyline contour);
 	}
 
 	private final String image;
@@ -47,47 +47,46 @@ public final class ContourTables {
 
 	/** @return one row a point */
 	public ResultsTable contours() {
-		final String length = unit(calibration.unit());
-		final double size = calibration.pixelSize();
-		final Map<String, Column> columns = new LinkedHashMap<>();
-		columns.put("frame", (frame, contour) -> points(contour, i -> frame.tracked().frame()));
-		columns.put("index", (frame, contour) -> points(contour, i -> i));
-		columns.put("x" + unit("px"), (frame, contour) -> contour.xs());
-		columns.put("y" + unit("px"), (frame, contour) -> contour.ys());
-		columns.put("x" + length, (frame, contour) -> points(contour, i -> contour.x(i) * size));
-		columns.put("y" + length, (frame, contour) -> points(contour, i -> contour.y(i) * size));
-		columns.put("arc length" + length, (frame, contour) -> frame.arcLength());
-		columns.put("tangent angle" + unit("rad"), (frame, contour) -> frame.tangentAngle());
-		columns.put("curvature" + unit("1/" + calibration.unit()),
-			(frame, contour) -> frame.curvature());
-		return table(columns);
+		return points().table();
 	}
 
-	/** Column by column: to look up a column for every value takes many times longer. */
-	private ResultsTable table(final Map<String, Column> columns) {
-		final int rows = frames.stream().flatMap(f -> f.tracked().contour().stream())
-			.mapToInt(Polyline::size).sum();
-		final ResultsTable table = new ResultsTable(rows);
-		table.setNaNEmptyCells(true);
-		if (rows > 0)
-			columns.forEach((name, column) -> table.setValues(name, values(column, rows)));
-		return table;
+	private PointTable points() {
+		final String length = unit(calibration.unit());
+		final double size = calibration.pixelSize();
+		return new PointTable(List.of(
+			column("frame", 0, (frame, contour) -> points(contour, i -> frame.tracked().frame())),
+			column("index", 0, (frame, contour) -> points(contour, i -> i)),
+			place("x" + unit("px"), (frame, contour) -> contour.xs()),
+			place("y" + unit("px"), (frame, contour) -> contour.ys()),
+			place("x" + length, (frame, contour) -> points(contour, i -> contour.x(i) * size)),
+			place("y" + length, (frame, contour) -> points(contour, i -> contour.y(i) * size)),
+			place("arc length" + length, (frame, contour) -> frame.arcLength()),
+			place("tangent angle" + unit("rad"), (frame, contour) -> frame.tangentAngle()),
+			column("curvature" + unit("1/" + calibration.unit()), CURVATURE_DECIMALS,
+				(frame, contour) -> frame.curvature())));
+	}
+
+	private PointTable.Column place(final String heading, final Values values) {
+		return column(heading, PLACE_DECIMALS, values);
 	}
 
 	/** Not all contours can be measured; what is missing is no number. */
-	private double[] values(final Column column, final int rows) {
-		final double[] values = new double[rows];
-		Arrays.fill(values, Double.NaN);
+	private PointTable.Column column(final String heading, final int decimals,
+		final Values values) {
+		final int rows = frames.stream().flatMap(f -> f.tracked().contour().stream())
+			.mapToInt(Polyline::size).sum();
+		final double[] all = new double[rows];
+		Arrays.fill(all, Double.NaN);
 		int row = 0;
 		for (final MeasuredFrame frame : frames) {
 			final Polyline contour = frame.tracked().contour().orElse(null);
 			if (contour == null)
 				continue;
-			final double[] own = column.values(frame, contour);
-			System.arraycopy(own, 0, values, row, own.length);
+			final double[] own = values.of(frame, contour);
+			System.arraycopy(own, 0, all, row, own.length);
 			row += contour.size();
 		}
-		return values;
+		return new PointTable.Column(heading, decimals, all);
 	}
 
 	private static double[] points(final Polyline contour, final IntToDoubleFunction value) {
@@ -131,7 +130,7 @@ public final class ContourTables {
 	public boolean show() {
 		if (GraphicsEnvironment.isHeadless())
 			return showAsResults();
-		contours().show(image + "-contours");
+		points().show(image + "-contours");
 		frames().show(image + "-frames");
 		return true;
 	}

@@ -88,7 +88,8 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 		final SortedMap<Integer, Polyline> contours, final int count) {
 		if (contours.isEmpty())
 			throw new IllegalArgumentException(
-				file + " has no contour, so there is nothing to measure.");
+				file + " has no contour" + (count > 0 ? " in any of " + count + " frames" : "")
+					+ ", so there is nothing to measure; resolve or correct at least one frame.");
 		final int n = Math.max(count, contours.lastKey());
 		if (n > MOST_FRAMES)
 			throw new IllegalArgumentException(file + " names frame " + n + ", more than the "

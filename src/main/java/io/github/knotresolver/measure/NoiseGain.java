@@ -11,7 +11,7 @@ import java.util.Arrays;
  */
 final class NoiseGain {
 
-	private static final int PARTS = 8, DERIVATIVES = 3;
+	private static final int PARTS = 8, DERIVATIVES = 3, CURVATURE = 2;
 	/** Smallest part of the noise that a residual is taken to show. */
 	private static final double LEAST_FREEDOM = 0.05;
 
@@ -42,14 +42,20 @@ final class NoiseGain {
 			freedom[k] = product(low.residual(at), low.residual(at), size);
 			for (int d = 0; d < DERIVATIVES; d++) {
 				final double[] w = low.weights(d, at);
-				final double[] more = low.points() == high.points()
-					? difference(high.weights(d, wide), w)
-					: new double[w.length];
 				fitted[d][k] = gain(w, size);
-				compared[d][k] = gain(more, size);
-				crossed[k] = product(w, more, size) / square(w);
+				compared[d][k] = gain(more(low, high, d, at, wide), size);
 			}
+			final double[] w = low.weights(CURVATURE, at);
+			crossed[k] = product(w, more(low, high, CURVATURE, at, wide), size) / square(w);
 		}
+	}
+
+	/** What the higher order adds to the weights; nothing if its window is wider. */
+	private static double[] more(final LocalFilter low, final LocalFilter high, final int d,
+		final int at, final int wide) {
+		return low.points() == high.points()
+			? difference(high.weights(d, wide), low.weights(d, at))
+			: new double[low.points()];
 	}
 
 	private static double[] difference(final double[] a, final double[] b) {

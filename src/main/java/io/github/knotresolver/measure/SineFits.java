@@ -1,6 +1,8 @@
 
 package io.github.knotresolver.measure;
 
+import java.util.Arrays;
+
 /**
  * Weighted least squares of a cos + b sin + c at many frequencies, prepared for
  * one set of times, so that many series can be fitted quickly.
@@ -11,6 +13,8 @@ final class SineFits {
 	private final double[] weight;
 	private final double[][] cos;
 	private final double[][] sin;
+	/** Weighted means of cosine and sine, and their covariances, by frequency. */
+	private final double[][] means;
 
 	private SineFits(final TimeSeries series, final double[] frequencies, final double[] weight) {
 		final int n = series.size();
@@ -23,12 +27,28 @@ final class SineFits {
 		this.frequencies = frequencies;
 		cos = new double[frequencies.length][n];
 		sin = new double[frequencies.length][n];
-		for (int k = 0; k < frequencies.length; k++)
+		means = new double[frequencies.length][];
+		for (int k = 0; k < frequencies.length; k++) {
 			for (int i = 0; i < n; i++) {
 				final double phase = 2 * Math.PI * frequencies[k] * series.time(i);
 				cos[k][i] = Math.cos(phase);
 				sin[k][i] = Math.sin(phase);
 			}
+			means[k] = means(cos[k], sin[k]);
+		}
+	}
+
+	private double[] means(final double[] c, final double[] s) {
+		double mc = 0, ms = 0, cc = 0, cs = 0, ss = 0;
+		for (int i = 0; i < c.length; i++) {
+			final double w = weight[i];
+			mc += w * c[i];
+			ms += w * s[i];
+			cc += w * c[i] * c[i];
+			cs += w * c[i] * s[i];
+			ss += w * s[i] * s[i];
+		}
+		return new double[]{mc, ms, cc - mc * mc, cs - mc * ms, ss - ms * ms};
 	}
 
 	/** Weights: Hann's window over the duration of the series. */
@@ -43,7 +63,7 @@ final class SineFits {
 	/** All values weigh the same. */
 	static SineFits plain(final TimeSeries series, final double... frequencies) {
 		final double[] w = new double[series.size()];
-		java.util.Arrays.fill(w, 1);
+		Arrays.fill(w, 1);
 		return new SineFits(series, frequencies, w);
 	}
 
@@ -63,21 +83,15 @@ final class SineFits {
 	/** @return a, b and c of a cos + b sin + c at frequency {@code k} */
 	double[] coefficients(final TimeSeries series, final int k) {
 		final double[] c = cos[k], s = sin[k];
-		double mc = 0, ms = 0, mv = 0, cc = 0, cs = 0, ss = 0, vc = 0, vs = 0;
+		double mv = 0, vc = 0, vs = 0;
 		for (int i = 0; i < c.length; i++) {
-			final double w = weight[i], v = series.value(i);
-			mc += w * c[i];
-			ms += w * s[i];
-			mv += w * v;
-			cc += w * c[i] * c[i];
-			cs += w * c[i] * s[i];
-			ss += w * s[i] * s[i];
-			vc += w * v * c[i];
-			vs += w * v * s[i];
+			final double v = weight[i] * series.value(i);
+			mv += v;
+			vc += v * c[i];
+			vs += v * s[i];
 		}
-		cc -= mc * mc;
-		cs -= mc * ms;
-		ss -= ms * ms;
+		final double mc = means[k][0], ms = means[k][1];
+		final double cc = means[k][2], cs = means[k][3], ss = means[k][4];
 		vc -= mv * mc;
 		vs -= mv * ms;
 		final double determinant = cc * ss - cs * cs;

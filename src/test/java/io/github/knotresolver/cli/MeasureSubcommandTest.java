@@ -120,6 +120,18 @@ class MeasureSubcommandTest {
 		assertFalse(Files.exists(folder.resolve("out")));
 	}
 
+	@Test
+	void resultOfWhichAllFramesAreLostIsRefusedInOneSentence() throws IOException {
+		final Path result = Files.createDirectory(folder.resolve("result"));
+		Files.writeString(result.resolve("contours.csv"), "frame,index,x_px,y_px\n");
+		Files.writeString(result.resolve("frames.csv"), "frame,status\n1,lost\n2,lost\n3,lost\n");
+		assertEquals(2, run(result.toString(), "--out", folder.resolve("out").toString()));
+		assertTrue(err.toString().contains("has no contour in any of 3 frames"), err.toString());
+		assertTrue(err.toString().contains("resolve or correct"), err.toString());
+		assertEquals(1, err.toString().lines().count(), err.toString());
+		assertFalse(Files.exists(folder.resolve("out")));
+	}
+
 	@ParameterizedTest
 	@CsvSource({"--smoothing-window,0", "--smoothing-order,9", "--persistence-length,-1",
 		"--rigidity,abc", "--pixel-size,0", "--spectra,weight", "--frame-interval,none"})

@@ -15,7 +15,9 @@ import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.pipeline.Parameters;
 import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.track.FrameStatus;
 import io.github.knotresolver.track.TrackedFrame;
 
@@ -36,8 +38,7 @@ public final class TruthMain {
 		KnotResolverMain.start(engine, args);
 	}
 
-	private static Resolution waitForCancel(
-		final io.github.knotresolver.progress.Progress progress) {
+	private static Resolution waitForCancel(final Progress progress) {
 		System.out.println("started");
 		while (true) {
 			progress.checkCancelled();
@@ -49,8 +50,8 @@ public final class TruthMain {
 		}
 	}
 
-	private static Resolution known(final Movie movie,
-		final io.github.knotresolver.pipeline.Parameters parameters, final Path file) {
+	private static Resolution known(final Movie movie, final Parameters parameters,
+		final Path file) {
 		final Map<Integer, List<Point>> points = new TreeMap<>();
 		try {
 			for (final String line : Files.readAllLines(file)) {

@@ -1,7 +1,10 @@
 package io.github.knotresolver.command;
 
+import java.awt.Checkbox;
 import java.awt.Dialog;
 import java.awt.Frame;
+import java.awt.TextArea;
+import java.awt.TextField;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
 import java.nio.file.Files;
@@ -16,6 +19,8 @@ import java.util.TreeSet;
 import java.util.concurrent.CopyOnWriteArraySet;
 import java.util.concurrent.atomic.AtomicBoolean;
 
+import javax.swing.JLabel;
+
 import ij.IJ;
 import ij.ImageJ;
 import ij.ImagePlus;
@@ -26,6 +31,7 @@ import ij.gui.Roi;
 import ij.measure.Calibration;
 import ij.plugin.frame.Recorder;
 import ij.plugin.frame.RoiManager;
+import ij.text.TextWindow;
 import io.github.knotresolver.imagej.SampleMovie;
 
 /**
@@ -242,8 +248,8 @@ final class DialogsMain {
 		final Dialog message = Windows.dialog(RESOLVE, "iterations must be a whole number");
 		message.dispose();
 		final Dialog again = Windows.dialog(RESOLVE, "Iterations");
-		final List<String> typed = Windows.all(again, java.awt.TextField.class).stream()
-			.map(java.awt.TextField::getText).toList();
+		final List<String> typed = Windows.all(again, TextField.class).stream()
+			.map(TextField::getText).toList();
 		require(typed.containsAll(List.of("1001", "15")), "typed: " + typed);
 		Windows.press(again, "Cancel");
 	}
@@ -302,7 +308,7 @@ final class DialogsMain {
 		Windows.start(RESOLVE);
 		final Dialog dialog = Windows.dialog(RESOLVE);
 		Windows.type(dialog, "Frames", "1-3");
-		for (final java.awt.Checkbox box : Windows.all(dialog, java.awt.Checkbox.class))
+		for (final Checkbox box : Windows.all(dialog, Checkbox.class))
 			if (List.of("Overlay", "ROI manager", "Tables").contains(box.getLabel()))
 				box.setState(false);
 		Windows.press(dialog, "OK");
@@ -411,9 +417,8 @@ final class DialogsMain {
 
 	/** The status line tells the stage. */
 	private static void inTheMiddle() throws Exception {
-		Windows.await("a stage",
-			() -> Windows.all(IJ.getInstance().getStatusBar(), javax.swing.JLabel.class).stream()
-				.anyMatch(l -> l.getText() != null && l.getText().endsWith("...")));
+		Windows.await("a stage", () -> Windows.all(IJ.getInstance().getStatusBar(), JLabel.class)
+			.stream().anyMatch(l -> l.getText() != null && l.getText().endsWith("...")));
 	}
 
 	private static boolean running() {
@@ -476,7 +481,7 @@ final class DialogsMain {
 		frames.stream().filter(f -> !(f instanceof Recorder)).forEach(f -> {
 			if (f instanceof RoiManager manager)
 				manager.close();
-			else if (f instanceof ij.text.TextWindow window)
+			else if (f instanceof TextWindow window)
 				window.close(false);
 		});
 		IJ.log("\\Clear");
@@ -485,7 +490,7 @@ final class DialogsMain {
 	}
 
 	private static void clearRecorder() {
-		Windows.all(Recorder.getInstance(), java.awt.TextArea.class).forEach(a -> a.setText(""));
+		Windows.all(Recorder.getInstance(), TextArea.class).forEach(a -> a.setText(""));
 	}
 
 	private static void require(final boolean condition, final String otherwise) {

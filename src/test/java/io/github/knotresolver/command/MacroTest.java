@@ -150,6 +150,10 @@ class MacroTest {
 		assertMeasuringStops("There is no polyline in the ROI Manager", "");
 		Files.writeString(csv, "frame,index,x_px,y_px\n");
 		assertMeasuringStops("has no contour", "result=[" + csv + "]");
+		final Path lost = Files.createDirectory(home.resolve("lost"));
+		Files.copy(csv, lost.resolve("contours.csv"));
+		Files.writeString(lost.resolve("frames.csv"), "frame,status\n1,lost\n2,lost\n");
+		assertMeasuringStops("has no contour in any of 2 frames", "result=[" + lost + "]");
 		Files.writeString(csv, "1,1,1\n1,2,2\n");
 		assertMeasuringStops("None of the 1 frames has a contour of 3 points or more",
 			"result=[" + csv + "]");

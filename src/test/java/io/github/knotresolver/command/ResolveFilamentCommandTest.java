@@ -41,6 +41,7 @@ import ij.ImagePlus;
 import ij.WindowManager;
 import ij.gui.PointRoi;
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.imagej.SampleMovie;
 import io.github.knotresolver.imagej.TestImages;
 import io.github.knotresolver.imagej.form.Form;
@@ -313,8 +314,7 @@ class ResolveFilamentCommandTest {
 		return run(inputs, TestImages::resolve);
 	}
 
-	private Module run(final Map<String, Object> inputs,
-		final io.github.knotresolver.imagej.Engine engine)
+	private Module run(final Map<String, Object> inputs, final Engine engine)
 		throws InterruptedException, ExecutionException {
 		final CommandInfo info = context.service(CommandService.class)
 			.getCommand(ResolveFilamentCommand.class);

@@ -9,6 +9,7 @@ import java.awt.event.KeyEvent;
 import java.io.File;
 import java.io.IOException;
 import java.util.List;
+import java.util.Locale;
 
 import javax.imageio.ImageIO;
 
@@ -66,8 +67,7 @@ final class ScreenshotsMain {
 		replay(image, line);
 		for (final String command : List.of("Measure Contours...", "Batch...", "Simulate Movie...",
 			"Evaluate Against Ground Truth..."))
-			dialog(command,
-				command.split("[ .]")[0].toLowerCase(java.util.Locale.ROOT) + "-dialog.png",
+			dialog(command, command.split("[ .]")[0].toLowerCase(Locale.ROOT) + "-dialog.png",
 				"Cancel");
 		measure();
 	}
@@ -124,13 +124,11 @@ final class ScreenshotsMain {
 		Windows.await("tables",
 			() -> WindowManager.getWindow(image.getTitle() + "-frames") != null);
 		Thread.sleep(1500);
-		WindowManager.getWindow(image.getTitle() + "-contours").setLocation(620, 560);
-		WindowManager.getWindow(image.getTitle() + "-frames").setLocation(620, 280);
-		RoiManager.getRoiManager().setLocation(1100, 20);
-		WindowManager.getWindow("Log").setLocation(20, 700);
-		WindowManager.getWindow("Log").setSize(580, 180);
-		Recorder.getInstance().setLocation(20, 520);
-		Recorder.getInstance().setSize(580, 150);
+		place(image.getTitle() + "-contours", 620, 560, 700, 430);
+		place(image.getTitle() + "-frames", 620, 285, 700, 270);
+		place("ROI Manager", 1100, 20, 230, 260);
+		place("Log", 20, 710, 580, 180);
+		place("Recorder", 20, 555, 580, 150);
 		Thread.sleep(1000);
 		capture("result.png", new Rectangle(0, 0, 1440, 1000));
 		if (RoiManager.getRoiManager().getCount() == 0)
@@ -154,7 +152,28 @@ final class ScreenshotsMain {
 		Windows.press(Windows.dialog("Measure Contours..."), "  OK  ");
 		Windows.await("plots", () -> WindowManager.getImageCount() >= 6);
 		Thread.sleep(1500);
-		capture("measurements.png", new Rectangle(0, 0, 1440, 1000));
+		final String title = "knotted-filament.tif-";
+		for (final String done : new String[]{title + "contours", title + "frames", "Log",
+			"Recorder", "ROI Manager"})
+			WindowManager.getWindow(done).setVisible(false);
+		move(title + "tangent-angle", 20, 130);
+		move(title + "curvature", 20, 310);
+		place(title + "measurements", 20, 490, 860, 180);
+		move(title + "tip_angle-spectrum", 20, 680);
+		move(title + "end_to_end", 890, 20);
+		move(title + "length", 890, 345);
+		move(title + "tip_angle", 890, 680);
+		Thread.sleep(1000);
+		capture("measurements.png", new Rectangle(0, 0, 1620, 1180));
+	}
+
+	private static void place(final String title, final int x, final int y, final int width,
+		final int height) {
+		WindowManager.getWindow(title).setBounds(x, y, width, height);
+	}
+
+	private static void move(final String title, final int x, final int y) {
+		WindowManager.getWindow(title).setLocation(x, y);
 	}
 
 	private void dialog(final String command, final String picture, final String button)

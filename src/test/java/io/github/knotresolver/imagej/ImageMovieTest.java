@@ -10,6 +10,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Map;
 import java.util.function.BiFunction;
 
@@ -145,7 +146,7 @@ class ImageMovieTest {
 		assertTrue(TiffFile.isComplete(file));
 		assertEquals(5, ImageFile.open(file).getStackSize());
 		for (int length = 9; length < whole.length; length += 7) {
-			Files.write(file, java.util.Arrays.copyOf(whole, length));
+			Files.write(file, Arrays.copyOf(whole, length));
 			final String message = assertThrows(IllegalArgumentException.class,
 				() -> ImageFile.open(file)).getMessage();
 			assertTrue(message.contains("is cut off") || message.contains("not an image"),

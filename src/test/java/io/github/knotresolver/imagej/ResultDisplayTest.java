@@ -21,6 +21,7 @@ import ij.gui.Overlay;
 import ij.gui.PointRoi;
 import ij.gui.Roi;
 import ij.io.RoiDecoder;
+import ij.io.RoiEncoder;
 import ij.measure.ResultsTable;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.image.Movie;
@@ -70,7 +71,7 @@ class ResultDisplayTest {
 		final Roi roi = RoiConverter.forImage(two, 2).rois(resolution).get(1);
 		assertEquals(List.of(2, 1, 3),
 			List.of(roi.getCPosition(), roi.getZPosition(), roi.getTPosition()));
-		final Roi decoded = RoiDecoder.openFromByteArray(ij.io.RoiEncoder.saveAsByteArray(roi));
+		final Roi decoded = RoiDecoder.openFromByteArray(RoiEncoder.saveAsByteArray(roi));
 		assertEquals(3, decoded.getTPosition());
 	}
 

@@ -1,6 +1,7 @@
 package io.github.knotresolver.imagej;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
@@ -66,7 +67,7 @@ public final class TestImages {
 		progress.checkCancelled();
 		return new Resolution(movie, parameters, Optional.of(new Point(12, 30)), 80, 0.1,
 			IntStream.range(0, movie.size()).mapToObj(i -> frame(i, movie.size())).toList(),
-			java.util.List.of("A note."));
+			List.of("A note."));
 	}
 
 	private static TrackedFrame frame(final int i, final int frames) {

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.Random;
 
 import org.junit.jupiter.api.Test;
@@ -51,7 +52,7 @@ class ContourGeometryTest {
 		final Polyline arc = Curves.circle(20, 1, 0, 1);
 		assertTrue(ContourGeometry.of(arc, MICRONS).curvature()[5] > 0);
 		final Polyline mirrored = Polyline.of(arc.xs(),
-			java.util.Arrays.stream(arc.ys()).map(y -> -y).toArray());
+			Arrays.stream(arc.ys()).map(y -> -y).toArray());
 		assertTrue(ContourGeometry.of(mirrored, MICRONS).curvature()[5] < 0);
 	}
 

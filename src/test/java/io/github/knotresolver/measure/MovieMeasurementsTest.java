@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import java.util.TreeMap;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -18,6 +19,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.progress.Progress;
 
 class MovieMeasurementsTest {
 
@@ -155,8 +157,9 @@ class MovieMeasurementsTest {
 	@Test
 	void uncertaintyOfTheLengthIsHandedOn() {
 		final List<Optional<Polyline>> arc = List.of(Optional.of(Curves.circle(40, 2, 0, 1)));
-		final FrameMeasurement f = MovieMeasurements.of("m", arc, MICRONS, Optional.empty(),
-			Rigidity.UNKNOWN, 0.25, io.github.knotresolver.progress.Progress.NONE).frames().get(0);
+		final FrameMeasurement f = MovieMeasurements
+			.of("m", arc, MICRONS, Optional.empty(), Rigidity.UNKNOWN, 0.25, Progress.NONE).frames()
+			.get(0);
 		assertEquals(0.25, f.get(Quantity.LENGTH).standardError(), 0.01);
 		assertTrue(f.get(Quantity.END_TO_END).standardError() > 0.1);
 		assertEquals(0, f.get(Quantity.TIP_ANGLE).standardError(), 0.01);
@@ -215,15 +218,14 @@ class MovieMeasurementsTest {
 	void rigidityInMicronsNeedsAnImageInMicrons() {
 		final String message = assertThrows(IllegalArgumentException.class,
 			() -> MovieMeasurements.of("m", List.of(Optional.of(Curves.circle(30, 2, 0, 1))),
-				Calibration.NONE, Optional.empty(), Rigidity.ofFlexural(20),
-				io.github.knotresolver.progress.Progress.NONE))
+				Calibration.NONE, Optional.empty(), Rigidity.ofFlexural(20), Progress.NONE))
 			.getMessage();
 		assertTrue(message.contains("pixel"), message);
 	}
 
 	@Test
 	void everyQuantityDeclaresAUniqueKey() {
-		final Map<String, Quantity> keys = new java.util.TreeMap<>();
+		final Map<String, Quantity> keys = new TreeMap<>();
 		for (final Quantity q : Quantity.values()) {
 			assertTrue(q.key().matches("[a-z_]+"), q.key());
 			assertTrue(keys.put(q.key(), q) == null, q.key());
@@ -252,13 +254,12 @@ class MovieMeasurementsTest {
 	private static MovieMeasurements measure(final List<Polyline> contours,
 		final Rigidity rigidity) {
 		return MovieMeasurements.of("m", contours.stream().map(Optional::of).toList(), MICRONS,
-			Optional.empty(), rigidity, io.github.knotresolver.progress.Progress.NONE);
+			Optional.empty(), rigidity, Progress.NONE);
 	}
 
 	private static MovieMeasurements measure(final List<Polyline> contours,
 		final Smoothing smoothing) {
 		return MovieMeasurements.of("m", contours.stream().map(Optional::of).toList(), MICRONS,
-			Optional.of(smoothing), Rigidity.UNKNOWN,
-			io.github.knotresolver.progress.Progress.NONE);
+			Optional.of(smoothing), Rigidity.UNKNOWN, Progress.NONE);
 	}
 }

@@ -5,6 +5,9 @@ import java.awt.Paint;
 
 import org.jfree.chart.renderer.PaintScale;
 
+import ij.process.ImageProcessor;
+import ij.process.LUT;
+
 /**
  * Colours for a range of values, safe for colour-blind readers and in grey
  * print.
@@ -20,6 +23,10 @@ final class ColourMap implements PaintScale {
 	/** Blue over white to red: for values on both sides of zero. */
 	private static final int[] TWO_SIDED = {0x053061, 0x2166ac, 0x4393c3, 0x92c5de, 0xf7f7f7,
 		0xf4a582, 0xd6604d, 0xb2182b, 0x67001f};
+
+	private static final int LEVELS = 256;
+	/** Part of the range below its low end that keeps level 0 for what is missing. */
+	private static final double BELOW = 0.01;
 
 	private final int[] colours;
 	private final double low;
@@ -65,6 +72,23 @@ final class ColourMap implements PaintScale {
 		final int i = Math.min(colours.length - 2, (int) place);
 		final double f = place - i;
 		return new Color(mix(i, 16, f), mix(i, 8, f), mix(i, 0, f));
+	}
+
+	/**
+	 * Shows an image of numbers in these colours. ImageJ draws NaN as the lowest
+	 * of 256 levels; no number has it here.
+	 */
+	void applyTo(final ImageProcessor pixels) {
+		final double floor = low - BELOW * (high - low);
+		final byte[][] rgb = new byte[3][LEVELS];
+		for (int i = 0; i < LEVELS; i++) {
+			final Color c = i == 0 ? MISSING : colour(floor + (high - floor) * i / (LEVELS - 1));
+			rgb[0][i] = (byte) c.getRed();
+			rgb[1][i] = (byte) c.getGreen();
+			rgb[2][i] = (byte) c.getBlue();
+		}
+		pixels.setLut(new LUT(rgb[0], rgb[1], rgb[2]));
+		pixels.setMinAndMax(floor, high);
 	}
 
 	private int mix(final int i, final int shift, final double f) {

@@ -119,7 +119,7 @@ public final class Figures {
 	 * @return the tangent angle in rad, as a calibrated 32-bit image
 	 */
 	public static ImagePlus tangentAngleImage(final MovieMeasurements m) {
-		return KymographImage.of(m.name() + "-tangent-angle", m.tangentAngleKymograph(),
+		return KymographImage.rising(m.name() + "-tangent-angle", m.tangentAngleKymograph(),
 			m.calibration(), "rad");
 	}
 
@@ -128,8 +128,8 @@ public final class Figures {
 	 * @return the curvature in 1/unit of length, as a calibrated 32-bit image
 	 */
 	public static ImagePlus curvatureImage(final MovieMeasurements m) {
-		return KymographImage.of(m.name() + "-curvature", m.curvatureKymograph(), m.calibration(),
-			"1/" + m.calibration().unit());
+		return KymographImage.twoSided(m.name() + "-curvature", m.curvatureKymograph(),
+			m.calibration(), "1/" + m.calibration().unit());
 	}
 
 	private static void writeTiff(final Path file, final ImagePlus image) throws IOException {

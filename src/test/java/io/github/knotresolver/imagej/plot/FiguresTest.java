@@ -28,6 +28,8 @@ import ij.ImageStack;
 import ij.gui.Plot;
 import ij.measure.ResultsTable;
 import ij.process.ColorProcessor;
+import ij.process.ImageProcessor;
+import ij.process.ImageStatistics;
 import io.github.knotresolver.CancelledProgress;
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
@@ -68,6 +70,22 @@ class FiguresTest {
 		for (final Path file : Figures.writeAll(b, movie(12), Progress.NONE))
 			assertArrayEquals(Files.readAllBytes(a.resolve(file.getFileName())),
 				Files.readAllBytes(file), file.getFileName().toString());
+	}
+
+	@Test
+	void kymographImagesShowNumbersInColoursAndMissingFramesGrey() {
+		final MovieMeasurements m = movie(10);
+		for (final ImagePlus image : List.of(Figures.tangentAngleImage(m),
+			Figures.curvatureImage(m))) {
+			final ImageProcessor pixels = image.getProcessor();
+			final ColorProcessor shown = pixels.convertToColorProcessor();
+			for (int i = 0; i < pixels.getPixelCount(); i++)
+				assertEquals(Float.isNaN(pixels.getf(i)),
+					ColourMap.MISSING.getRGB() == shown.get(i), "pixel " + i);
+			final ImageStatistics range = ImageStatistics.getStatistics(pixels);
+			assertTrue(pixels.getMin() < range.min && pixels.getMax() >= range.max,
+				"all numbers are in range");
+		}
 	}
 
 	@Test
