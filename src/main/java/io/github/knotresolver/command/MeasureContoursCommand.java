@@ -104,6 +104,7 @@ public class MeasureContoursCommand extends KnotCommand {
 
 	private static void show(final MovieMeasurements m) {
 		LivePlots.table(m).show(m.name() + "-measurements");
+		LivePlots.contours(m).show();
 		LivePlots.series(m, Quantity.END_TO_END).show();
 		LivePlots.series(m, Quantity.LENGTH).show();
 		LivePlots.series(m, Quantity.TIP_ANGLE).show();

@@ -49,9 +49,12 @@ public final class ResultDisplay {
 		onEventThread(() -> {
 			// The recorder shall not see what is a part of this Command.
 			manager.allowRecording(false);
-			removeEarlier(manager);
-			rois().forEach(manager::addRoi);
-			manager.allowRecording(true);
+			try {
+				removeEarlier(manager);
+				rois().forEach(manager::addRoi);
+			} finally {
+				manager.allowRecording(true);
+			}
 		});
 	}
 

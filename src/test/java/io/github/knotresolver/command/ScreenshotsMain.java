@@ -150,7 +150,7 @@ final class ScreenshotsMain {
 	private void measure() throws Exception {
 		Windows.start("Measure Contours...");
 		Windows.press(Windows.dialog("Measure Contours..."), "  OK  ");
-		Windows.await("plots", () -> WindowManager.getImageCount() >= 6);
+		Windows.await("plots", () -> WindowManager.getImageCount() >= 7);
 		Thread.sleep(1500);
 		final String title = "knotted-filament.tif-";
 		for (final String done : new String[]{title + "contours", title + "frames", "Log",
@@ -163,8 +163,9 @@ final class ScreenshotsMain {
 		move(title + "end_to_end", 890, 20);
 		move(title + "length", 890, 345);
 		move(title + "tip_angle", 890, 680);
+		move(title + "projection", 1610, 20);
 		Thread.sleep(1000);
-		capture("measurements.png", new Rectangle(0, 0, 1620, 1180));
+		capture("measurements.png", new Rectangle(0, 0, 2150, 1180));
 	}
 
 	private static void place(final String title, final int x, final int y, final int width,

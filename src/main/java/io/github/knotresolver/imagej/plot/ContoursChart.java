@@ -3,13 +3,15 @@ package io.github.knotresolver.imagej.plot;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Paint;
+import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
+import java.util.stream.IntStream;
 
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
-import org.jfree.data.Range;
 import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
 
@@ -33,14 +35,12 @@ final class ContoursChart {
 
 	/** @return the chart */
 	static JFreeChart of(final MovieMeasurements m) {
-		final List<FrameMeasurement> measured = m.measured();
 		final XYSeriesCollection contours = new XYSeriesCollection();
-		final int stride = 1 + (measured.size() - 1) / MOST_FRAMES;
 		double longest = 0;
-		for (int i = 0; i < measured.size(); i += stride) {
-			final ContourGeometry g = measured.get(i).geometry().orElseThrow();
+		for (final FrameMeasurement frame : shown(m)) {
+			final ContourGeometry g = frame.geometry().orElseThrow();
 			longest = Math.max(longest, g.length());
-			contours.addSeries(series(measured.get(i).frame(), g));
+			contours.addSeries(series(frame.frame(), g));
 		}
 		final ColourMap colours = ColourMap.rising(0, longest);
 		final NumberAxis x = ChartStyle.axis("x", m.calibration().unit());
@@ -48,18 +48,36 @@ final class ContoursChart {
 		y.setInverted(true);
 		final XYPlot plot = new XYPlot(contours, x, y, new AlongLength(contours, colours));
 		final JFreeChart chart = ChartStyle.chart(plot);
-		fit(x, contours.getDomainBounds(false), y, contours.getRangeBounds(false));
+		final double[] view = view(shown(m).stream().map(f -> f.geometry().orElseThrow()).toList());
+		x.setRange(view[0], view[1]);
+		y.setRange(view[2], view[3]);
 		ChartStyle.addColourBar(chart, colours,
 			ChartStyle.axis("Arc length from the fixed end", m.calibration().unit()));
 		return chart;
 	}
 
-	/** Both axes get the same extent, so that a square chart shows true shapes. */
-	private static void fit(final NumberAxis x, final Range xs, final NumberAxis y,
-		final Range ys) {
-		final double half = Math.max(xs.getLength(), ys.getLength()) * (0.5 + MARGIN);
-		x.setRange(xs.getCentralValue() - half, xs.getCentralValue() + half);
-		y.setRange(ys.getCentralValue() - half, ys.getCentralValue() + half);
+	/** Evenly chosen frames of a long movie. */
+	static List<FrameMeasurement> shown(final MovieMeasurements m) {
+		final List<FrameMeasurement> measured = m.measured();
+		final int stride = 1 + (measured.size() - 1) / MOST_FRAMES;
+		return IntStream.range(0, measured.size()).filter(i -> i % stride == 0)
+			.mapToObj(measured::get).toList();
+	}
+
+	/**
+	 * The ranges of x and y: {left, right, top, bottom}. Both have the same extent,
+	 * so that a square chart shows true shapes.
+	 */
+	static double[] view(final List<ContourGeometry> contours) {
+		final DoubleSummaryStatistics x = contours.stream()
+			.flatMapToDouble(g -> Arrays.stream(g.x())).summaryStatistics();
+		final DoubleSummaryStatistics y = contours.stream()
+			.flatMapToDouble(g -> Arrays.stream(g.y())).summaryStatistics();
+		final double half = Math.max(x.getMax() - x.getMin(), y.getMax() - y.getMin())
+			* (0.5 + MARGIN);
+		final double middleX = (x.getMin() + x.getMax()) / 2,
+			middleY = (y.getMin() + y.getMax()) / 2;
+		return new double[]{middleX - half, middleX + half, middleY - half, middleY + half};
 	}
 
 	private static XYSeries series(final int frame, final ContourGeometry g) {

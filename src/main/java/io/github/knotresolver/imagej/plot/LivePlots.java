@@ -1,7 +1,12 @@
 package io.github.knotresolver.imagej.plot;
 
+import java.util.List;
+import java.util.function.Function;
+import java.util.stream.DoubleStream;
+
 import ij.gui.Plot;
 import ij.measure.ResultsTable;
+import io.github.knotresolver.measure.ContourGeometry;
 import io.github.knotresolver.measure.FrameMeasurement;
 import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.measure.Quantity;
@@ -12,6 +17,9 @@ import io.github.knotresolver.measure.Spectrum;
  * tables, and as one table with a row a frame.
  */
 public final class LivePlots {
+
+	/** Edge of the contours' plot in pixels, and parts of a contour with a colour each. */
+	private static final int SQUARE = 400, COLOURS = 16;
 
 	private LivePlots() {
 	}
@@ -45,6 +53,48 @@ public final class LivePlots {
 		plot.setColor(ChartStyle.LINE);
 		plot.add("line", spectrum.frequency(), spectrum.amplitude());
 		return plot;
+	}
+
+	/**
+	 * All contours in one plot, in the image's own axes, with colour along the
+	 * length; of a long movie, evenly chosen frames.
+	 *
+	 * @param m the measurements
+	 * @return the plot; a series for each colour
+	 */
+	public static Plot contours(final MovieMeasurements m) {
+		final List<ContourGeometry> shown = ContoursChart.shown(m).stream()
+			.map(f -> f.geometry().orElseThrow()).toList();
+		final String unit = m.calibration().unit();
+		final Plot plot = new Plot(m.name() + "-projection", ChartStyle.label("x", unit),
+			ChartStyle.label("y", unit));
+		plot.setFrameSize(SQUARE, SQUARE);
+		final double longest = shown.stream().mapToDouble(ContourGeometry::length).max()
+			.orElseThrow();
+		final ColourMap colours = ColourMap.rising(0, longest);
+		final double[] view = ContoursChart.view(shown);
+		plot.setLimits(view[0], view[1], view[3], view[2]);
+		for (int k = 0; k < COLOURS; k++) {
+			plot.setColor(colours.colour((k + 0.5) / COLOURS * longest));
+			plot.add("line", part(shown, k, ContourGeometry::x),
+				part(shown, k, ContourGeometry::y));
+		}
+		return plot;
+	}
+
+	/** One coordinate of a part of all contours, with gaps between them. */
+	private static double[] part(final List<ContourGeometry> contours, final int part,
+		final Function<ContourGeometry, double[]> coordinate) {
+		final DoubleStream.Builder values = DoubleStream.builder();
+		for (final ContourGeometry g : contours) {
+			final double[] all = coordinate.apply(g);
+			final int from = part * (all.length - 1) / COLOURS,
+				to = (part + 1) * (all.length - 1) / COLOURS;
+			for (int i = from; i <= to; i++)
+				values.add(all[i]);
+			values.add(Double.NaN);
+		}
+		return values.build().toArray();
 	}
 
 	/**

@@ -128,6 +128,10 @@ class FiguresTest {
 		final Plot plot = LivePlots.series(m, Quantity.LENGTH);
 		assertEquals(10, plot.getXValues().length);
 		assertTrue(Float.isNaN(plot.getYValues()[MISSING]));
+		final Plot all = LivePlots.contours(m);
+		final double[] limits = all.getLimits();
+		assertEquals(limits[1] - limits[0], limits[2] - limits[3], 1e-9,
+			"true shapes, y downwards");
 		final ResultsTable table = LivePlots.table(m);
 		assertEquals(10, table.size());
 		assertEquals(2 * Math.PI, table.getValue("length [µm]", 0), 0.01);
