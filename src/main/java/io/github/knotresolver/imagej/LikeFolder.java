@@ -1,11 +1,8 @@
 package io.github.knotresolver.imagej;
 
-import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-
-import javax.imageio.ImageIO;
 
 import io.github.knotresolver.evaluate.FrameScore;
 import io.github.knotresolver.evaluate.like.LikeResult;
@@ -49,9 +46,8 @@ public final class LikeFolder {
 				ScoreFigures.write(folder.path(), "", frames, result.positionErrors(), progress);
 				final SimulatedMovie first = study.movie(result.motion(),
 					result.movies().get(0).seed(), progress);
-				final BufferedImage picture = SideBySide.of(result.source().movie(), first.movie());
-				if (!ImageIO.write(picture, "png", folder.path().resolve(COMPARISON).toFile()))
-					throw new IOException("This Java cannot write PNG pictures.");
+				PngFile.write(folder.path().resolve(COMPARISON),
+					SideBySide.of(result.source().movie(), first.movie()));
 			}
 			progress.checkCancelled();
 			folder.commit();

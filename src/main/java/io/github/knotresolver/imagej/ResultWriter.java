@@ -1,12 +1,9 @@
 package io.github.knotresolver.imagej;
 
-import java.awt.image.RenderedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
-
-import javax.imageio.ImageIO;
 
 import ij.ImagePlus;
 import ij.io.FileSaver;
@@ -99,10 +96,10 @@ public final class ResultWriter {
 		if (plots)
 			AnimatedOverlay.write(folder.resolve("overlay.avi"), overlay, FRAMES_PER_SECOND);
 		progress.checkCancelled();
-		writePng(folder.resolve("montage.png"), Montage.of(resolution));
+		PngFile.write(folder.resolve("montage.png"), Montage.of(resolution));
 		progress.checkCancelled();
 		if (plots)
-			writePng(folder.resolve("overlay.png"), OverlayRenderer.projection(resolution));
+			PngFile.write(folder.resolve("overlay.png"), OverlayRenderer.projection(resolution));
 	}
 
 	private void writeFigures(final Path folder, final boolean plots, final Progress progress)
@@ -114,10 +111,5 @@ public final class ResultWriter {
 			Figures.writeAll(folder, measurements, progress);
 		else
 			Figures.writeKymographs(folder, measurements);
-	}
-
-	private static void writePng(final Path file, final RenderedImage picture) throws IOException {
-		if (!ImageIO.write(picture, "png", file.toFile()))
-			throw new IOException("This Java cannot write PNG pictures.");
 	}
 }

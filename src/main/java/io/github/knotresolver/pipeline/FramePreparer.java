@@ -56,12 +56,18 @@ final class FramePreparer {
 	/** @param frames 1-based numbers of the frames, in order */
 	List<FrameView> prepare(final List<Integer> frames, final Workers workers,
 		final Progress progress) {
-		if (steps == Segmentation.Steps.ACTIVE_CONTOUR) {
-			final List<Img<BitType>> masks = carried(frames, progress);
-			return workers.map(frames.size(), i -> view(frames.get(i), masks.get(i)));
-		}
-		return workers.map("Segmenting", progress, frames.size(),
-			i -> view(frames.get(i), segmenter.segment(clean(frames.get(i)))));
+		final List<Img<BitType>> masks = masks(frames, workers, progress);
+		return workers.map("Thinning", progress, frames.size(),
+			i -> view(frames.get(i), masks.get(i)));
+	}
+
+	/** @param frames 1-based numbers of the frames, in order */
+	List<Img<BitType>> masks(final List<Integer> frames, final Workers workers,
+		final Progress progress) {
+		return steps == Segmentation.Steps.ACTIVE_CONTOUR
+			? carried(frames, progress)
+			: workers.map("Segmenting", progress, frames.size(),
+				i -> segmenter.segment(clean(frames.get(i))));
 	}
 
 	/** One frame's mask is the next one's start. */

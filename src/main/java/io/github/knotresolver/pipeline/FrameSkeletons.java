@@ -9,7 +9,6 @@ import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.skeleton.Skeletonize;
-import io.github.knotresolver.track.FrameView;
 
 /**
  * How far segmentation alone gets: the skeletons of all objects, before anything
@@ -35,9 +34,10 @@ public final class FrameSkeletons {
 		final Progress progress) {
 		final List<Integer> wanted = new FrameChoice(movie, parameters).frames();
 		try (Workers workers = new Workers(parameters.threads())) {
-			final List<FrameView> frames = new FramePreparer(movie, parameters).prepare(wanted,
+			final List<Img<BitType>> masks = new FramePreparer(movie, parameters).masks(wanted,
 				workers, progress);
-			return workers.map(frames.size(), i -> Skeletonize.thin(frames.get(i).mask()));
+			return workers.map("Thinning", progress, masks.size(),
+				i -> Skeletonize.thin(masks.get(i)));
 		}
 	}
 }

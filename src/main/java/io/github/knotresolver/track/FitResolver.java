@@ -115,7 +115,8 @@ public final class FitResolver {
 	/** Where single pixels say little, a fit would follow their noise. */
 	private List<FrameView> calmed(final List<FrameView> frames, final StrandLight strands) {
 		final double[] known = Arrays.stream(strands.light()).filter(l -> l > 0).toArray();
-		final double[] noise = frames.stream().mapToDouble(f -> f.light().noise()).toArray();
+		final double[] noise = workers.map(frames.size(), t -> frames.get(t).light().noise())
+			.stream().mapToDouble(Double::doubleValue).toArray();
 		return known.length == 0
 			|| new Median().evaluate(noise) < NOISY * new Median().evaluate(known)
 				? frames

@@ -1,5 +1,6 @@
 package io.github.knotresolver.evaluate.like;
 
+import java.util.Arrays;
 import java.util.List;
 
 import net.imglib2.RandomAccessibleInterval;
@@ -10,6 +11,7 @@ import org.apache.commons.math3.util.ResizableDoubleArray;
 import io.github.knotresolver.geometry.Crossings;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.image.PixelNoise;
 import io.github.knotresolver.image.Pixels;
 
 /** One frame with its contour: background, and brightness over it near the contour. */
@@ -51,19 +53,13 @@ final class FrameSample {
 		this.contour = contour;
 		this.range = range;
 		near = new NearField(contour, width, height, far);
-		final ResizableDoubleArray values = new ResizableDoubleArray();
-		final ResizableDoubleArray differences = new ResizableDoubleArray();
-		for (int i = 0; i < pixels.length; i++) {
-			if (isNear(i) || Double.isNaN(pixels[i]))
-				continue;
-			values.addElement(pixels[i]);
-			if (i % width > 0 && !isNear(i - 1) && !Double.isNaN(pixels[i - 1]))
-				differences.addElement((pixels[i] - pixels[i - 1]) / Math.sqrt(2));
-		}
-		background = values.getNumElements() == 0
-			? range.lowest()
-			: Medians.of(values.getElements());
-		noise = differences.getNumElements() == 0 ? 0 : Medians.spread(differences.getElements());
+		final double[] beyond = pixels.clone();
+		for (int i = 0; i < beyond.length; i++)
+			if (isNear(i))
+				beyond[i] = Double.NaN;
+		final double[] values = Arrays.stream(beyond).filter(v -> !Double.isNaN(v)).toArray();
+		background = values.length == 0 ? range.lowest() : Medians.of(values);
+		noise = PixelNoise.of(beyond, width);
 	}
 
 	private boolean isNear(final int pixel) {

@@ -36,8 +36,9 @@ final class ContoursChart {
 	/** @return the chart */
 	static JFreeChart of(final MovieMeasurements m) {
 		final XYSeriesCollection contours = new XYSeriesCollection();
+		final List<FrameMeasurement> shown = shown(m);
 		double longest = 0;
-		for (final FrameMeasurement frame : shown(m)) {
+		for (final FrameMeasurement frame : shown) {
 			final ContourGeometry g = frame.geometry().orElseThrow();
 			longest = Math.max(longest, g.length());
 			contours.addSeries(series(frame.frame(), g));
@@ -48,7 +49,7 @@ final class ContoursChart {
 		y.setInverted(true);
 		final XYPlot plot = new XYPlot(contours, x, y, new AlongLength(contours, colours));
 		final JFreeChart chart = ChartStyle.chart(plot);
-		final double[] view = view(shown(m).stream().map(f -> f.geometry().orElseThrow()).toList());
+		final double[] view = view(shown.stream().map(f -> f.geometry().orElseThrow()).toList());
 		x.setRange(view[0], view[1]);
 		y.setRange(view[2], view[3]);
 		ChartStyle.addColourBar(chart, colours,
