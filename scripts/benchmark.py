@@ -11,26 +11,29 @@ import subprocess
 import sys
 import tempfile
 
+import benchmark_fields as fields
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SHARED = ROOT.parent / "shared"
 DOCUMENT = ROOT / "docs" / "benchmark.md"
 MODES = ("published", "default")
+SUITES = ("single", "conditions", "scenes", "real")
 RENDERINGS = ((False, "rendered as in the paper"), (True, "rendered additively"))
 BINS = (0, .3, .6, .9, .99, 1)
 KEPT = ("<!-- interpretation: kept when this file is written again -->", "<!-- end of interpretation -->")
 METRICS = (
-    ("resolved", "{:.1f}", "pct_resolved"), ("crossing frames", "{:.1f}", "pct_resolved_crossing_frames"),
+    ("resolved", "{:.1f}", "pct_resolved"), ("silent", "{:.2f}", "pct_silent"), ("crossing frames", "{:.1f}", "pct_resolved_crossing_frames"),
     ("Dice", "{:.3f}", "mean_dice"), ("Fréchet", "{:.2f}", "median_frechet_px"),
     ("error", "{:.3f}", "mean_err_px"), ("length error", "{:.2f}", "median_abs_len_err_pct"),
-    ("flipped", "{:.0f}", "frames_flipped"), ("seconds", "{:.2f}", "seconds"),
+    ("flipped", "{:.0f}", "frames_flipped"), ("filaments", "{:.0f}", "filaments"), ("seconds", "{:.2f}", "seconds"),
 )
-TOTALED = ("pct_resolved", "pct_resolved_crossing_frames", "mean_dice", "mean_err_px",
+TOTALED = ("pct_resolved", "pct_silent", "pct_resolved_crossing_frames", "mean_dice", "mean_err_px",
            "median_abs_len_err_pct", "frames_flipped", "seconds")
 LARGER_IS_BETTER = {"pct_resolved", "pct_resolved_crossing_frames", "mean_dice"}
 COMPARED = (("pct_resolved", "resolved frames"), ("pct_resolved_crossing_frames", "resolved crossing frames"),
             ("mean_dice", "Dice"), ("median_frechet_px", "Fréchet"), ("mean_err_px", "error"))
 REAL = (
-    ("frames", "{:.0f}", "present"), ("length CV", "{:.4f}", "length_cv"), ("off > 10 %", "{:.0f}", "off_10pct"),
+    ("filaments", "{:.0f}", "filaments"), ("frames", "{:.0f}", "present"), ("length CV", "{:.4f}", "length_cv"), ("off > 10 %", "{:.0f}", "off_10pct"),
     ("turning jumps", "{:.0f}", "turning_jumps"), ("step of fixed end", "{:.2f}", "end_jump_px"),
     ("most uncovered", "{:.0%}", "uncovered_max"), ("uncovered > 10 %", "{:.0f}", "uncovered_10pct"),
     ("dark > 10 %", "{:.0f}", "dark_10pct"), ("seconds", "{:.2f}", "seconds"),
@@ -42,10 +45,12 @@ def options():
     p.add_argument("--quick", action="store_true", help="SNR 10 and 20 dB, every frame, and the real movies only")
     p.add_argument("--only", default="", metavar="PATTERN",
                    help="movies whose name matches, such as 'L10|dyn1'; the tables go to target/benchmark.md")
+    p.add_argument("--suites", default=",".join(SUITES), help="of single,conditions,scenes,real [all]")
     p.add_argument("--modes", default=",".join(MODES), help="of published,default [both]")
     p.add_argument("--bench", type=pathlib.Path, default=SHARED / "bench",
                    help="folder of render.py, score.py, consistency.py and curves")
     p.add_argument("--real", type=pathlib.Path, default=SHARED / "data" / "real", help="folder of the real movies")
+    p.add_argument("--public", type=pathlib.Path, default=SHARED / "data" / "public", help="folder of other people's movies")
     p.add_argument("--keep", type=pathlib.Path, metavar="DIR", help="keep the movies and results here")
     return p.parse_args()
 
@@ -81,40 +86,45 @@ def rendered(args, folder):
 
 
 def real_movies(args):
-    return [f for f in sorted(args.real.glob("*.tif")) if re.search(args.only, f.stem)]
+    """The authors' movies and other people's."""
+    return [f for folder in (args.real, args.public) for f in sorted(folder.glob("*.tif")) if re.search(args.only, f.stem)]
 
 
-def resolve(modes, folder, files):
+def is_skipped(file):
+    """Whether the published method is spared this movie."""
+    return any(c in pathlib.Path(file).stem for c in fields.NOT_PUBLISHED)
+
+
+def resolve(mode, folder, files):
+    """{(mode, movie): row of runs.csv}; every movie has a folder with contours.csv and frames.csv."""
     path = subprocess.run([ROOT / "scripts" / "test-classpath"], check=True, capture_output=True, text=True).stdout
     java = pathlib.Path(os.environ["JAVA_HOME"]) / "bin" / "java" if "JAVA_HOME" in os.environ else "java"
     subprocess.run([java, "-Djava.awt.headless=true", *os.environ.get("JAVA_OPTS", "").split(), "-cp", path.strip(),
-                    "io.github.knotresolver.pipeline.BenchmarkMain", folder, ",".join(modes), *files], check=True)
-    runs = {}
-    for mode in modes:
-        with open(folder / mode / "runs.csv", encoding="utf-8") as f:
-            for row in csv.DictReader(f):
-                runs[mode, row["movie"]] = row
-    return runs
-
-
-def confidences(file):
-    with open(file, encoding="utf-8") as f:
-        return {int(r["frame"]): float(r["confidence"]) for r in csv.DictReader(f)}
+                    "io.github.knotresolver.pipeline.BenchmarkMain", folder, mode, *files], check=True)
+    with open(folder / mode / "runs.csv", encoding="utf-8") as f:
+        return {(mode, row["movie"]): row for row in csv.DictReader(f)}
 
 
 def scored(movies, modes, folder, runs):
     """{(mode, condition): [(name, rows, summary)]} and {mode: [(step, confidence, right)]}."""
+    import numpy as np
     import score
     table, judged = {}, {mode: [] for mode in modes}
     for condition, listed in movies.items():
         for mode in modes:
             for name, _, truth in listed:
-                rows, summary = score.score(truth, str(folder / mode / f"{name}.csv"))
-                summary["seconds"] = float(runs[mode, name]["seconds"])
+                result = folder / mode / name
+                best, filaments = fields.best_filament(truth, result)
+                filament, rows, summary = best or (1, *score.score(truth, {}))
+                said = fields.confidences(result)
+                sure = [said.get((filament, f), ("", 0))[1] for f in rows["frame"]]
+                rows["silent"] = np.array([c > fields.SURE and not ok and there
+                                           for c, ok, there in zip(sure, rows["resolved"], rows["present"])], bool)
+                summary |= dict(seconds=float(runs[mode, name]["seconds"]), pct_silent=100 * float(rows["silent"].mean()),
+                                filaments=filaments)
                 table.setdefault((mode, condition), []).append((name, rows, summary))
-                confidence = confidences(folder / mode / f"{name}_frames.csv")
-                judged[mode] += [(condition[2], confidence[f], bool(ok))
-                                 for f, ok, there in zip(rows["frame"], rows["resolved"], rows["present"]) if there]
+                judged[mode] += [(condition[2], c, bool(ok))
+                                 for c, ok, there in zip(sure, rows["resolved"], rows["present"]) if there]
     return table, judged
 
 
@@ -124,7 +134,7 @@ def total(results):
     join = lambda key: np.concatenate([rows[key] for _, rows, _ in results])
     ok, crossing, there = join("resolved"), join("crossings") > 0, join("present")
     mean = lambda v: float(v.mean()) if v.size else float("nan")
-    return dict(pct_resolved=100 * mean(ok), pct_resolved_crossing_frames=100 * mean(ok[crossing]),
+    return dict(pct_resolved=100 * mean(ok), pct_silent=100 * mean(join("silent")), pct_resolved_crossing_frames=100 * mean(ok[crossing]),
                 mean_dice=mean(join("dice")), mean_err_px=mean(join("err_px")[there]),
                 median_abs_len_err_pct=float(np.median(abs(join("len_err_pct")[there]))) if there.any() else float("nan"),
                 frames_flipped=sum(s["frames_flipped"] for *_, s in results),
@@ -139,7 +149,7 @@ def text(form, value):
 
 def markdown(header, rows):
     """A table; what stands left of the first figure is text."""
-    words = 1 + (header[1] in ("mode", "contours"))
+    words = 1 + (header[1] in ("mode", "contours", "what", "light"))
     lines = [header, ["---"] * words + ["---:"] * (len(header) - words), *rows]
     return "\n".join("| " + " | ".join(map(str, line)) + " |" for line in lines) + "\n"
 
@@ -190,6 +200,18 @@ def calibration_section(judged):
     return markdown(header, rows)
 
 
+def real_curves(contours):
+    """{frame: curve} of the filament with the most frames, and how many filaments there are."""
+    import consistency
+    import scenes
+    if len(contours.read_text().splitlines()) < 2:
+        return {}, 0
+    if not contours.read_text()[:1].isalpha():
+        return consistency.read(str(contours)), 1
+    every = scenes.read(str(contours))
+    return max(every.values(), key=len), len(every)
+
+
 def judged_real(args, modes, files, folder, runs):
     """{file: {source: figures}}: the original tool's contours, if they are there, and each mode's."""
     import consistency
@@ -197,14 +219,14 @@ def judged_real(args, modes, files, folder, runs):
     judged = {}
     for file in files:
         frames = len(tifffile.TiffFile(file).pages)
-        sources = {mode: folder / mode / f"{file.stem}.csv" for mode in modes}
+        sources = {mode: folder / mode / file.stem / "contours.csv" for mode in modes}
         originals = args.real / f"{file.stem}_MTdata.csv"
         if originals.exists():
             sources = {"original tool's own contours": originals} | sources
         judged[f"{file.stem} ({frames} frames)"] = figures = {}
         for source, contours in sources.items():
-            curves = consistency.read(str(contours)) if len(contours.read_text().splitlines()) > 1 else {}
-            figures[source] = dict.fromkeys(m[2] for m in REAL) | dict(present=0, off_10pct=frames)
+            curves, filaments = real_curves(contours)
+            figures[source] = dict.fromkeys(m[2] for m in REAL) | dict(present=0, off_10pct=frames, filaments=filaments)
             if curves:
                 figures[source] |= consistency.judge(curves, frames)
                 uncovered, dark = consistency.light(curves, str(file))
@@ -225,7 +247,7 @@ def real_section(judged):
 def behind_real(judged):
     for movie, sources in judged.items():
         theirs, ours = (sources[mode] for mode in MODES)
-        for label, form, key in REAL[1:-1]:
+        for label, form, key in REAL[2:-1]:
             if None not in (theirs[key], ours[key]) and ours[key] > theirs[key]:
                 a, b = text(form, theirs[key]), text(form, ours[key])
                 if a != b:
@@ -250,7 +272,15 @@ def commit():
     return f", commit {git.stdout.strip()}" if git.returncode == 0 else ""
 
 
-def document(args, modes, movies, files, folder, runs):
+def field_sections(field_movies, folder, runs, modes):
+    conditions, scenes = field_movies
+    if conditions:
+        yield fields.conditions_section(conditions, folder, runs, modes, markdown, text)
+    if scenes:
+        yield fields.scenes_section(scenes, folder, runs, modes, markdown, text)
+
+
+def document(args, modes, movies, field_movies, files, folder, runs):
     out = [f"""# Benchmark
 
 Made by `scripts/benchmark{''.join(' ' + shlex.quote(a) for a in sys.argv[1:])}` with KnotResolver {version()}{commit()}, on {os.cpu_count()} cores.
@@ -282,9 +312,10 @@ near 0.
         if "default" in modes:
             out.append("## What the confidence is worth\n\nShare of the frames with a contour that are resolved, "
                        "by the confidence that `frames.csv` reports (default mode).\n\n" + calibration_section(judged["default"]))
+    out += field_sections(field_movies, folder, runs, modes)
     if files:
         out.append("## Real movies\n\nWithout known truth: a stabilised microtubule keeps its length, turns continuously and "
-                   "stays clamped. Off:\nframes whose length is more than 10 % from the median, or missing. Turning jumps: steps "
+                   "stays clamped. Of several filaments that one is judged which is seen in the most frames. Off:\nframes whose length is more than 10 % from the median, or missing. Turning jumps: steps "
                    "in which the total turning changes by more\nthan 200°. Uncovered: share of the bright object's skeleton "
                    "farther than 4 px from the contour (a foreign filament that touches\ncounts too). Dark: share of the contour "
                    "outside bright pixels.\n\n" + real_section(real))
@@ -299,14 +330,22 @@ def run(args, folder):
     unknown = [m for m in modes if m not in MODES]
     if unknown:
         sys.exit(f"There is no mode '{unknown[0]}'; the modes are {' and '.join(MODES)}.")
-    movies = rendered(args, folder / "movies")
-    files = real_movies(args)
-    every = [tiff for listed in movies.values() for _, tiff, _ in listed] + files
+    suites = args.suites.split(",")
+    unknown = [s for s in suites if s not in SUITES]
+    if unknown:
+        sys.exit(f"There is no suite '{unknown[0]}'; the suites are {', '.join(SUITES)}.")
+    movies = rendered(args, folder / "movies") if "single" in suites else {}
+    conditions = fields.render_conditions(folder / "movies", args.only) if "conditions" in suites else []
+    scenes = fields.render_scenes(folder / "movies", args.bench, args.only) if "scenes" in suites else {}
+    files = real_movies(args) if "real" in suites else []
+    every = [tiff for listed in (*movies.values(), conditions, *scenes.values()) for _, tiff, _ in listed] + files
     if not every:
         sys.exit(f"No movie matches '{args.only}'.")
-    runs = resolve(modes, folder, every)
-    out = DOCUMENT if not args.only and set(modes) == set(MODES) else ROOT / "target" / "benchmark.md"
-    out.write_text(document(args, modes, movies, files, folder, runs), encoding="utf-8")
+    runs = {}
+    for mode in modes:
+        runs |= resolve(mode, folder, [f for f in every if mode == "default" or not is_skipped(f)])
+    out = DOCUMENT if not args.only and set(modes) == set(MODES) and set(suites) == set(SUITES) else ROOT / "target" / "benchmark.md"
+    out.write_text(document(args, modes, movies, (conditions, scenes), files, folder, runs), encoding="utf-8")
     print(f"Wrote {out.relative_to(ROOT)}.")
 
 

@@ -62,8 +62,9 @@ public final class BenchmarkMain {
 				final long start = System.nanoTime();
 				final Resolution resolution = resolve(movie, options);
 				final double seconds = (System.nanoTime() - start) * 1e-9;
-				writeContours(folder.resolve(name + ".csv"), resolution);
-				writeFrames(folder.resolve(name + "_frames.csv"), resolution);
+				final Path result = Files.createDirectories(folder.resolve(name));
+				writeContours(result.resolve("contours.csv"), resolution);
+				writeFrames(result.resolve("frames.csv"), resolution);
 				runs.printf(Locale.ROOT, "%s,%.3f,\"%s\"%n", name, seconds,
 					resolution.resolved() > 0 ? "" : String.join(" ", resolution.notes()));
 				System.err.printf(Locale.ROOT, "%s %s: %d frames, %.2f s%n", mode, name,
@@ -91,12 +92,12 @@ public final class BenchmarkMain {
 	private static void writeContours(final Path file, final Resolution resolution)
 		throws IOException {
 		try (PrintStream csv = writer(file)) {
-			csv.println("frame,index,x_px,y_px");
+			csv.println("filament,frame,index,x_px,y_px");
 			for (final TrackedFrame frame : resolution.frames())
 				if (frame.contour().isPresent()) {
 					final Polyline c = frame.contour().get();
 					for (int i = 0; i < c.size(); i++)
-						csv.printf(Locale.ROOT, "%d,%d,%.4f,%.4f%n", frame.frame(), i, c.x(i),
+						csv.printf(Locale.ROOT, "1,%d,%d,%.4f,%.4f%n", frame.frame(), i, c.x(i),
 							c.y(i));
 				}
 		}
@@ -105,10 +106,12 @@ public final class BenchmarkMain {
 	private static void writeFrames(final Path file, final Resolution resolution)
 		throws IOException {
 		try (PrintStream csv = writer(file)) {
-			csv.println("frame,status,confidence");
+			csv.println("filament,frame,status,confidence");
 			for (final TrackedFrame frame : resolution.frames())
-				csv.printf(Locale.ROOT, "%d,%s,%.6f%n", frame.frame(), frame.status().label(),
-					frame.confidence());
+				csv.printf(Locale.ROOT, "1,%d,%s,%s%n", frame.frame(), frame.status().label(),
+					Double.isFinite(frame.confidence())
+						? String.format(Locale.ROOT, "%.6f", frame.confidence())
+						: "");
 		}
 	}
 
