@@ -1,20 +1,16 @@
 package io.github.knotresolver.imagej.plot;
 
-import java.awt.geom.Rectangle2D;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 
 import org.jfree.chart.ChartUtils;
 import org.jfree.chart.JFreeChart;
-import org.jfree.graphics2d.svg.SVGGraphics2D;
 
 import ij.ImagePlus;
 import ij.io.FileSaver;
@@ -92,7 +88,7 @@ public final class Figures {
 		final int width, final int height) throws IOException {
 		final Path png = folder.resolve(name + ".png"), svg = folder.resolve(name + ".svg");
 		Files.write(png, png(chart, width, height));
-		Files.writeString(svg, svg(chart, width, height), StandardCharsets.UTF_8);
+		SvgChart.write(svg, chart, width, height);
 		return List.of(png, svg);
 	}
 
@@ -141,24 +137,5 @@ public final class Figures {
 		final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
 		ChartUtils.writeScaledChartAsPNG(bytes, chart, width, height, PNG_SCALE, PNG_SCALE);
 		return bytes.toByteArray();
-	}
-
-	private static String svg(final JFreeChart chart, final int width, final int height) {
-		final SVGGraphics2D graphics = graphics(width, height);
-		chart.draw(graphics, new Rectangle2D.Double(0, 0, width, height));
-		return graphics.getSVGDocument();
-	}
-
-	/** JFreeSVG takes its digits from the locale at construction. */
-	private static synchronized SVGGraphics2D graphics(final int width, final int height) {
-		final Locale before = Locale.getDefault(Locale.Category.FORMAT);
-		Locale.setDefault(Locale.Category.FORMAT, Locale.ROOT);
-		try {
-			final SVGGraphics2D graphics = new SVGGraphics2D(width, height);
-			graphics.setDefsKeyPrefix("knotresolver");
-			return graphics;
-		} finally {
-			Locale.setDefault(Locale.Category.FORMAT, before);
-		}
 	}
 }

@@ -13,9 +13,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 import javax.imageio.ImageIO;
+import javax.xml.parsers.DocumentBuilder;
+import javax.xml.parsers.DocumentBuilderFactory;
+import javax.xml.parsers.ParserConfigurationException;
 
 import org.jfree.chart.JFreeChart;
 import org.junit.jupiter.api.BeforeAll;
@@ -70,6 +74,41 @@ class FiguresTest {
 		for (final Path file : Figures.writeAll(b, movie(12), Progress.NONE))
 			assertArrayEquals(Files.readAllBytes(a.resolve(file.getFileName())),
 				Files.readAllBytes(file), file.getFileName().toString());
+	}
+
+	@Test
+	void svgIsTheSameInAnyLocaleAndWellFormed() throws Exception {
+		final Path a = Files.createDirectory(folder.resolve("a")),
+			b = Files.createDirectory(folder.resolve("b"));
+		Figures.writeAll(a, movie(12), Progress.NONE);
+		final Locale before = Locale.getDefault();
+		Locale.setDefault(Locale.forLanguageTag("ar-EG-u-nu-arab"));
+		try {
+			Figures.writeAll(b, movie(12), Progress.NONE);
+		} finally {
+			Locale.setDefault(before);
+		}
+		final DocumentBuilder parser = xmlParser();
+		for (final String name : Figures.charts(movie(12)).keySet()) {
+			final Path svg = a.resolve(name + ".svg");
+			assertEquals(Files.readString(svg), Files.readString(b.resolve(name + ".svg")), name);
+			assertEquals("svg", parser.parse(svg.toFile()).getDocumentElement().getTagName());
+		}
+	}
+
+	/** Reads no DTD from anywhere. */
+	private static DocumentBuilder xmlParser() throws ParserConfigurationException {
+		final DocumentBuilderFactory factory = DocumentBuilderFactory.newDefaultInstance();
+		factory.setFeature("http://apache.org/xml/features/nonvalidating/load-external-dtd", false);
+		return factory.newDocumentBuilder();
+	}
+
+	@Test
+	void kymographsAreSharpInSvg() throws IOException {
+		Figures.writeAll(folder, movie(12), Progress.NONE);
+		final String svg = Files.readString(folder.resolve("curvature_kymograph.svg"));
+		assertTrue(svg.contains("image-rendering=\"optimizeSpeed\""), "frames are not blurred");
+		assertTrue(svg.contains("data:image/png;base64,"), "the picture is in the file");
 	}
 
 	@Test
