@@ -18,7 +18,7 @@ class ArchitectureTest {
 	private static final String ROOT = "io.github.knotresolver.";
 
 	/** The rooms, in the order in which data walks through them. */
-	private static final List<String> ROOMS = List.of("geometry", "progress", "image", "mask",
+	private static final List<String> ROOMS = List.of("geometry", "progress", "model", "image", "mask",
 		"skeleton", "graph", "candidate", "contour", "fit", "track", "measure", "pipeline",
 		"simulate", "evaluate", "io", "imagej", "command", "cli");
 

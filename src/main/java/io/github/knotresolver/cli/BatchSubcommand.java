@@ -13,6 +13,7 @@ import io.github.knotresolver.io.BatchOutcome.Status;
 import io.github.knotresolver.io.BatchSheet;
 import io.github.knotresolver.io.MovieFolder;
 import io.github.knotresolver.io.RunOptions;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -66,7 +67,7 @@ final class BatchSubcommand implements Callable<Integer> {
 					+ String.join(", ", sheet.unknownColumns()) + ".");
 			outcomes = new Batch(engine, texts, force, plots).run(sheet.rows(), out,
 				o -> (o.status() == Status.FAILED ? stderr : stdout).println(o.line()), progress);
-		} catch (final IllegalArgumentException e) {
+		} catch (final UserException e) {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
 		}
 		final long failed = outcomes.stream().filter(o -> o.status() == Status.FAILED).count();

@@ -16,6 +16,7 @@ import io.github.knotresolver.io.EvaluationReport;
 import io.github.knotresolver.io.LikeReport;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.TruthCsv;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -92,7 +93,7 @@ final class EvaluateSubcommand implements Callable<Integer> {
 
 	private ParameterException refusal(final String sentence) {
 		return new ParameterException(spec.commandLine(), sentence,
-			new IllegalArgumentException(sentence));
+			new UserException(sentence));
 	}
 
 	private void againstTruth() throws IOException {
@@ -102,7 +103,7 @@ final class EvaluateSubcommand implements Callable<Integer> {
 				ScoreFiles.requireWritable(out);
 			evaluation = Evaluation.of(TruthCsv.read("truth", truth),
 				TruthCsv.read("result", result), progress);
-		} catch (final IllegalArgumentException e) {
+		} catch (final UserException e) {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
 		}
 		if (out != null)
@@ -118,7 +119,7 @@ final class EvaluateSubcommand implements Callable<Integer> {
 			if (out != null)
 				ResultFolder.check(out, force);
 			study = LikeRun.study(LikeRun.source(like, movie), engine, progress);
-		} catch (final IllegalArgumentException e) {
+		} catch (final UserException e) {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
 		}
 		final LikeResult scores = study.run(count, seed == null ? 1 : seed, progress);

@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.io.OptionText;
 import io.github.knotresolver.io.ProgramVersion;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine;
@@ -102,7 +103,7 @@ public final class KnotResolverMain implements Runnable {
 				OptionText.refusal(option.longestName(), ValueKind.of(option.type()), e.getValue())
 					.getMessage(),
 				ExitStatus.USAGE);
-		final boolean ours = e.getCause() instanceof IllegalArgumentException;
+		final boolean ours = e.getCause() instanceof UserException;
 		final String help = ours
 			? ""
 			: " (" + e.getCommandLine().getCommandSpec().qualifiedName() + " --help tells more)";
@@ -112,7 +113,7 @@ public final class KnotResolverMain implements Runnable {
 	private static int fail(final PrintWriter err, final CommandLine command, final Exception e) {
 		if (e instanceof CancelledException)
 			return oneLine(err, "Cancelled; nothing was written.", ExitStatus.CANCELLED);
-		if (e instanceof IllegalArgumentException)
+		if (e instanceof UserException)
 			return oneLine(err, asOption(command, e.getMessage()), ExitStatus.FAILED);
 		if (e instanceof IOException)
 			return oneLine(err, "The result could not be written: " + e.getMessage() + ".",

@@ -11,6 +11,7 @@ import io.github.knotresolver.io.ContourInput;
 import io.github.knotresolver.io.MeasureOptions;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.measure.MovieMeasurements;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -80,7 +81,7 @@ final class MeasureSubcommand implements Callable<Integer> {
 			ResultFolder.check(folder, force);
 			contours = ContourInput.read(input);
 			m = options().measure(contours, progress);
-		} catch (final IllegalArgumentException e) {
+		} catch (final UserException e) {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
 		}
 		MeasurementFolder.write(m, folder, force, plots, originalDefinitions ? contours : null,

@@ -1,6 +1,7 @@
 package io.github.knotresolver.cli;
 
 import io.github.knotresolver.imagej.Rendering;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.simulate.Optics;
 import picocli.CommandLine.Option;
 
@@ -56,7 +57,7 @@ final class RenderOptions {
 
 	/**
 	 * @return how to render
-	 * @throws IllegalArgumentException if an option is out of range
+	 * @throws UserException if an option is out of range
 	 */
 	Rendering rendering() {
 		return new Rendering(rendering == Kind.OPTICAL, pixelSize, margin, bits, snr, optics());

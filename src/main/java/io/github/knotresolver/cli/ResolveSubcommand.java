@@ -17,6 +17,7 @@ import io.github.knotresolver.io.MeasuredResolution;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.io.RunReport;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -76,7 +77,7 @@ final class ResolveSubcommand implements Callable<Integer> {
 			image = image();
 			input = ImageMovie.of(image, run.input());
 			parameters = run.parameters(input);
-		} catch (final IllegalArgumentException e) {
+		} catch (final UserException e) {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
 		}
 		final MeasuredResolution result = MeasuredResolution
@@ -91,7 +92,7 @@ final class ResolveSubcommand implements Callable<Integer> {
 
 	private ImagePlus image() {
 		if (sample == (movie != null))
-			throw new IllegalArgumentException(sample
+			throw new UserException(sample
 				? "Either a movie or --sample, but not both."
 				: "Name a movie, or add --sample for the one that comes along.");
 		return sample ? SampleMovie.open() : ImageFile.open(movie);

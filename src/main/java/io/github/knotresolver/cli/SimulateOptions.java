@@ -1,5 +1,6 @@
 package io.github.knotresolver.cli;
 
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.simulate.Clamp;
 import io.github.knotresolver.simulate.FilamentProperties;
 import io.github.knotresolver.simulate.MediumProperties;
@@ -78,7 +79,7 @@ final class SimulateOptions {
 
 	/**
 	 * @return the parameters
-	 * @throws IllegalArgumentException if one is out of range
+	 * @throws UserException if one is out of range
 	 */
 	SimulationParameters parameters() {
 		final double bending = persistenceLength == null

@@ -6,6 +6,7 @@ import java.util.concurrent.Callable;
 
 import io.github.knotresolver.imagej.SimulationRun;
 import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.simulate.SimulatedMovie;
 import picocli.CommandLine.Command;
@@ -51,7 +52,7 @@ final class SimulateSubcommand implements Callable<Integer> {
 		try {
 			run = new SimulationRun(simulation.parameters(), rendering.rendering());
 			ResultFolder.check(out, force);
-		} catch (final IllegalArgumentException e) {
+		} catch (final UserException e) {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
 		}
 		final SimulatedMovie movie = run.run(progress);

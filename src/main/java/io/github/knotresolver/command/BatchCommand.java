@@ -20,6 +20,7 @@ import io.github.knotresolver.io.BatchOutcome.Status;
 import io.github.knotresolver.io.BatchSheet;
 import io.github.knotresolver.io.MovieFolder;
 import io.github.knotresolver.io.RunOptions;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -54,7 +55,7 @@ public class BatchCommand extends KnotCommand {
 	@Override
 	void work(final Progress progress) throws IOException {
 		if (input == null || out == null)
-			throw new IllegalArgumentException((input == null ? "input" : "out")
+			throw new UserException((input == null ? "input" : "out")
 				+ " is missing; name a sheet or a folder of movies as input, and a folder for the results as out.");
 		final Map<String, String> texts = new TreeMap<>();
 		MacroOptions.parse(options == null ? "" : options, name -> null).values()

@@ -14,6 +14,7 @@ import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.imagej.form.FormDialog;
 import io.github.knotresolver.imagej.form.FormField;
 import io.github.knotresolver.imagej.form.MacroOptions;
+import io.github.knotresolver.model.UserException;
 
 /**
  * The menu's and the macros' way to every Command of this program, in plain
@@ -71,7 +72,7 @@ public final class CommandPlugIn implements PlugIn {
 	private static boolean hasAll(final KnotCommand command, final String title) {
 		try {
 			return command.askForMissing();
-		} catch (final IllegalArgumentException e) {
+		} catch (final UserException e) {
 			stop(title, e.getMessage(), true);
 			return false;
 		}
@@ -102,7 +103,7 @@ public final class CommandPlugIn implements PlugIn {
 		try {
 			Form.of(command).fill(MacroOptions.parse(options, CommandPlugIn::variable));
 			return true;
-		} catch (final IllegalArgumentException e) {
+		} catch (final UserException e) {
 			stop(title, e.getMessage(), false);
 			return false;
 		}

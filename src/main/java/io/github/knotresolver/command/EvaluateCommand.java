@@ -27,6 +27,7 @@ import io.github.knotresolver.io.EvaluationReport;
 import io.github.knotresolver.io.LikeReport;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.TruthCsv;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -87,7 +88,7 @@ public class EvaluateCommand extends KnotCommand {
 
 	private void againstLike(final Progress progress) throws IOException {
 		if (truth != null || result != null)
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"like stands alone: leave truth and result empty, or leave like empty to compare those.");
 		if (out != null)
 			ResultFolder.check(out.toPath(), force);
@@ -116,7 +117,7 @@ public class EvaluateCommand extends KnotCommand {
 
 	private static SortedMap<Integer, Polyline> read(final String key, final File given) {
 		if (given == null)
-			throw new IllegalArgumentException(
+			throw new UserException(
 				key + " is missing; name a contours.csv, or a folder with one.");
 		return TruthCsv.read(key, given.toPath());
 	}

@@ -9,6 +9,7 @@ import org.scijava.plugin.Parameter;
 
 import ij.IJ;
 import io.github.knotresolver.imagej.form.Form;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 
@@ -32,7 +33,7 @@ abstract class KnotCommand extends ContextCommand {
 			work(progress);
 		} catch (final CancelledException e) {
 			cancel("Cancelled; nothing was written.");
-		} catch (final IllegalArgumentException e) {
+		} catch (final UserException e) {
 			refuse(e.getMessage());
 		} catch (final IOException e) {
 			refuse("The result could not be written: " + e.getMessage() + ".");
@@ -45,7 +46,7 @@ abstract class KnotCommand extends ContextCommand {
 	/**
 	 * Does the work.
 	 *
-	 * @throws IllegalArgumentException if the input cannot be used, in one sentence
+	 * @throws UserException if the input cannot be used, in one sentence
 	 * @throws CancelledException if the user asked to stop
 	 * @throws IOException if the disk says no
 	 */

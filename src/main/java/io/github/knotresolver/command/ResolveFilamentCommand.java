@@ -36,6 +36,7 @@ import io.github.knotresolver.io.ProgramVersion;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.io.RunReport;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.pipeline.Parameters;
 import io.github.knotresolver.pipeline.Region;
 import io.github.knotresolver.pipeline.Resolution;
@@ -209,7 +210,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 			return ImageFile.open(movie.toPath());
 		final ImagePlus active = image != null ? image : WindowManager.getCurrentImage();
 		if (active == null)
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"There is no image open; open a movie, or name its file with movie=FILE.");
 		return active;
 	}

@@ -8,6 +8,7 @@ import java.util.SortedMap;
 
 import io.github.knotresolver.geometry.Crossings;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -33,13 +34,13 @@ public record Evaluation(List<FrameScore> frames, int extraFrames, double[] posi
 	 *          as missing
 	 * @param progress told after every frame; may cancel
 	 * @return the evaluation
-	 * @throws IllegalArgumentException if there is no truth, or a true contour has
+	 * @throws UserException if there is no truth, or a true contour has
 	 *           no length
 	 */
 	public static Evaluation of(final SortedMap<Integer, Polyline> truth,
 		final SortedMap<Integer, Polyline> result, final Progress progress) {
 		if (truth.isEmpty())
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"truth has no frame to compare with; give contours, such as the contours.csv that 'simulate' writes.");
 		final List<FrameScore> frames = new ArrayList<>();
 		final List<double[]> errors = new ArrayList<>();
@@ -58,7 +59,7 @@ public record Evaluation(List<FrameScore> frames, int extraFrames, double[] posi
 
 	private static FrameScore score(final int frame, final Polyline truth, final Polyline contour) {
 		if (!(truth.length() > 0))
-			throw new IllegalArgumentException("truth has a contour without length in frame "
+			throw new UserException("truth has a contour without length in frame "
 				+ frame + "; give it two points or more.");
 		final int crossings = Crossings.of(truth.resampled(1)).size();
 		final boolean present = isPresent(contour);

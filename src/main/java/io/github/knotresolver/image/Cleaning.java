@@ -1,5 +1,7 @@
 package io.github.knotresolver.image;
 
+import io.github.knotresolver.model.UserException;
+
 /**
  * Parameters of cleaning a frame. Stretch and median are always on; the
  * Laplacian of Gaussian is for uneven background.
@@ -16,11 +18,11 @@ public record Cleaning(int logSize, double logSigma) {
 	public Cleaning {
 		if (logSize != 0 || logSigma != 0) {
 			if (logSize < 3 || logSize > 99 || logSize % 2 == 0)
-				throw new IllegalArgumentException(
+				throw new UserException(
 					"log_size must be an odd number of pixels from 3 to 99 (or 0 for off), but is "
 						+ logSize + ".");
 			if (!(logSigma > 0 && logSigma <= 50))
-				throw new IllegalArgumentException(
+				throw new UserException(
 					"log_sigma must be above 0 and at most 50 pixels, but is " + logSigma + ".");
 		}
 	}

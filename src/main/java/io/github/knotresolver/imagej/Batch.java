@@ -20,6 +20,7 @@ import io.github.knotresolver.io.MeasuredResolution;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.io.RunReport;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 
@@ -43,7 +44,7 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 	 * @param listener told of every outcome as it comes
 	 * @param progress may cancel; what is finished by then stays
 	 * @return what came of the rows, in their order
-	 * @throws IllegalArgumentException if the folder cannot be written, in one
+	 * @throws UserException if the folder cannot be written, in one
 	 *           sentence
 	 * @throws IOException if the list cannot be written
 	 */
@@ -71,12 +72,12 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 		try {
 			Files.createDirectories(out);
 		} catch (final IOException e) {
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"The folder " + out + " cannot be made; choose another one in a writable place.",
 				e);
 		}
 		if (!Files.isWritable(out))
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"The folder " + out + " is not writable; choose another one.");
 	}
 
@@ -100,7 +101,7 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 			return new BatchOutcome(row, Status.FINISHED, folder, String.join(" ", words));
 		} catch (final CancelledException e) {
 			throw e;
-		} catch (final IllegalArgumentException e) {
+		} catch (final UserException e) {
 			return new BatchOutcome(row, Status.FAILED, folder, e.getMessage());
 		} catch (final IOException e) {
 			return new BatchOutcome(row, Status.FAILED, folder,

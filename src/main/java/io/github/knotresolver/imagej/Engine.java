@@ -3,6 +3,7 @@ package io.github.knotresolver.imagej;
 import java.util.Optional;
 
 import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.pipeline.FilamentResolver;
 import io.github.knotresolver.pipeline.Parameters;
 import io.github.knotresolver.pipeline.Region;
@@ -22,7 +23,7 @@ public interface Engine {
 	 * @param parameters what decides the result
 	 * @param progress listens, and may cancel
 	 * @return the result
-	 * @throws IllegalArgumentException if the movie cannot be used, in one
+	 * @throws UserException if the movie cannot be used, in one
 	 *           sentence
 	 * @throws io.github.knotresolver.progress.CancelledException if the user
 	 *           asked to stop

@@ -4,6 +4,7 @@ package io.github.knotresolver.imagej;
 import ij.ImagePlus;
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.io.UnitText;
+import io.github.knotresolver.model.UserException;
 
 /**
  * What an image says about the size of its pixels and the time between its
@@ -21,7 +22,7 @@ public final class ImageCalibration {
 	/**
 	 * @param image an image
 	 * @return its calibration; pixels and frames where the image says nothing
-	 * @throws IllegalArgumentException if its pixels are not square
+	 * @throws UserException if its pixels are not square
 	 */
 	public static Calibration of(final ImagePlus image) {
 		final ij.measure.Calibration c = image.getCalibration();
@@ -29,7 +30,7 @@ public final class ImageCalibration {
 		final String unit = UnitText.length(c.getUnit());
 		final boolean sized = !unit.equals(none.unit()) && isPositive(c.pixelWidth);
 		if (sized && Math.abs(c.pixelWidth - c.pixelHeight) > SQUARE * c.pixelWidth)
-			throw new IllegalArgumentException("Pixels must be square, but those of '"
+			throw new UserException("Pixels must be square, but those of '"
 				+ image.getTitle() + "' are " + c.pixelWidth + " x " + c.pixelHeight + " " + unit
 				+ "; rescale the image with Image > Scale.");
 		final boolean timed = isPositive(c.frameInterval);

@@ -13,6 +13,8 @@ import ij.io.FileInfo;
 import ij.io.Opener;
 import ij.io.TiffDecoder;
 
+import io.github.knotresolver.model.UserException;
+
 /**
  * An image file, opened with ImageJ's own readers, or refused in one sentence:
  * missing, empty, cut off, or not an image.
@@ -30,7 +32,7 @@ public final class ImageFile {
 	/**
 	 * @param file an image file that plain ImageJ reads
 	 * @return the image
-	 * @throws IllegalArgumentException if it is not one, in one sentence
+	 * @throws UserException if it is not one, in one sentence
 	 */
 	public static ImagePlus open(final Path file) {
 		requireFile(file);
@@ -43,7 +45,7 @@ public final class ImageFile {
 		if (opened.value() == null)
 			throw notAnImage(file);
 		if (opened.printed().contains("Exception"))
-			throw new IllegalArgumentException(file
+			throw new UserException(file
 				+ " is damaged: ImageJ could not read all of its pixels; copy the file again from its source.");
 		return opened.value();
 	}
@@ -73,18 +75,18 @@ public final class ImageFile {
 
 	private static void requireFile(final Path file) {
 		if (!Files.exists(file))
-			throw new IllegalArgumentException("There is no file " + file + "; check the path.");
+			throw new UserException("There is no file " + file + "; check the path.");
 		if (Files.isDirectory(file))
-			throw new IllegalArgumentException(
+			throw new UserException(
 				file + " is a folder, but a movie is one image file; name the file.");
 		if (!Files.isReadable(file))
-			throw new IllegalArgumentException(file + " may not be read; check its permissions.");
+			throw new UserException(file + " may not be read; check its permissions.");
 		try {
 			if (Files.size(file) == 0)
-				throw new IllegalArgumentException(
+				throw new UserException(
 					file + " is empty (0 bytes); copy the file again from its source.");
 		} catch (final IOException e) {
-			throw new IllegalArgumentException(file + " cannot be read: " + e.getMessage() + ".",
+			throw new UserException(file + " cannot be read: " + e.getMessage() + ".",
 				e);
 		}
 	}
@@ -94,10 +96,10 @@ public final class ImageFile {
 			if (TiffFile.isComplete(file) && frameDataAreComplete(file))
 				return;
 		} catch (final IOException e) {
-			throw new IllegalArgumentException(file + " cannot be read: " + e.getMessage() + ".",
+			throw new UserException(file + " cannot be read: " + e.getMessage() + ".",
 				e);
 		}
-		throw new IllegalArgumentException(file
+		throw new UserException(file
 			+ " is cut off: the file ends before its last frame; copy the file again from its source.");
 	}
 
@@ -124,8 +126,8 @@ public final class ImageFile {
 		}
 	}
 
-	private static IllegalArgumentException notAnImage(final Path file) {
-		return new IllegalArgumentException(file
+	private static UserException notAnImage(final Path file) {
+		return new UserException(file
 			+ " is not an image that ImageJ can open; save the movie as a TIFF stack of 8, 16 or 32 bit.");
 	}
 }

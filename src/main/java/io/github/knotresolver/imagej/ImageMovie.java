@@ -20,6 +20,7 @@ import ij.ImageStack;
 import ij.process.ImageProcessor;
 import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.io.InputOptions;
+import io.github.knotresolver.model.UserException;
 
 /**
  * An ImageJ image seen as a movie: one channel over time. The pixels are shared
@@ -35,7 +36,7 @@ public final class ImageMovie {
 	 * @param image an image; it stays as it is
 	 * @param options channel, axis of time and calibration
 	 * @return the movie
-	 * @throws IllegalArgumentException if the image is no movie of one filament
+	 * @throws UserException if the image is no movie of one filament
 	 *           in grey values; one sentence that says what to do
 	 */
 	public static Movie of(final ImagePlus image, final InputOptions options) {

@@ -6,6 +6,7 @@ import io.github.knotresolver.evaluate.like.LikeSource;
 import io.github.knotresolver.evaluate.like.LikeStudy;
 import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.io.ResolvedRun;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 /** From a user's result folder to the study of movies like it. */
@@ -19,7 +20,7 @@ public final class LikeRun {
 	 * @param movie the movie that it was made from; null for the file that the
 	 *          result tells
 	 * @return the result and its movie
-	 * @throws IllegalArgumentException if they cannot be read or do not belong
+	 * @throws UserException if they cannot be read or do not belong
 	 *           together, in one sentence
 	 */
 	public static LikeSource source(final Path folder, final Path movie) {
@@ -32,8 +33,8 @@ public final class LikeRun {
 		final Path file = run.movieFile(named);
 		try {
 			return ImageMovie.of(ImageFile.open(file), run.options().input());
-		} catch (final IllegalArgumentException e) {
-			throw new IllegalArgumentException("movie cannot be used: " + e.getMessage(), e);
+		} catch (final UserException e) {
+			throw new UserException("movie cannot be used: " + e.getMessage(), e);
 		}
 	}
 
@@ -42,7 +43,7 @@ public final class LikeRun {
 	 * @param engine what resolves the simulated movies
 	 * @param progress may cancel
 	 * @return the study, to be run
-	 * @throws IllegalArgumentException if the movie shows no line along the
+	 * @throws UserException if the movie shows no line along the
 	 *           contours, in one sentence
 	 */
 	public static LikeStudy study(final LikeSource source, final Engine engine,

@@ -5,6 +5,7 @@ import java.util.List;
 
 import ij.ImagePlus;
 import io.github.knotresolver.io.InputOptions;
+import io.github.knotresolver.model.UserException;
 
 /** What an image must be to be a movie, each refusal in one sentence. */
 final class MovieChecks {
@@ -18,27 +19,27 @@ final class MovieChecks {
 	static void requireTimeSeries(final ImagePlus image, final InputOptions options) {
 		final String name = "'" + image.getTitle() + "'";
 		if (image.getBitDepth() == RGB_BITS)
-			throw new IllegalArgumentException(name
+			throw new UserException(name
 				+ " is an RGB image, but intensities are needed; convert it with Image > Type > 8-bit, or take one channel with Image > Color > Split Channels.");
 		if (options.channel() > image.getNChannels())
-			throw new IllegalArgumentException("channel must be from 1 to " + image.getNChannels()
+			throw new UserException("channel must be from 1 to " + image.getNChannels()
 				+ " for " + name + ", but is " + options.channel() + ".");
 		final int slices = image.getNSlices(), frames = image.getNFrames();
 		if (slices > 1 && frames > 1)
-			throw new IllegalArgumentException(name + " has " + slices + " Z slices and " + frames
+			throw new UserException(name + " has " + slices + " Z slices and " + frames
 				+ " frames, but a movie has one slice a frame; make a projection with Image > Stacks > Z Project.");
 		if (slices <= 1 && frames <= 1)
-			throw new IllegalArgumentException(
+			throw new UserException(
 				name + " has one frame only, but a movie has several; open the whole stack.");
 		if (ImageMovie.isAlongZ(image) && !options.zAsTime())
-			throw new IllegalArgumentException(name + " is a Z-stack of " + slices
+			throw new UserException(name + " is a Z-stack of " + slices
 				+ " slices, not a time series; if the slices are frames, add --z-as-time (in ImageJ: z_as_time, or swap Z and T in Image > Properties).");
 	}
 
 	/** At least one frame in which not all pixels are equal. */
 	static void requireContrast(final String name, final List<Object> planes) {
 		if (planes.stream().allMatch(MovieChecks::isConstant))
-			throw new IllegalArgumentException("All pixels are equal in every frame of '" + name
+			throw new UserException("All pixels are equal in every frame of '" + name
 				+ "', so there is no filament to find; open another movie.");
 	}
 

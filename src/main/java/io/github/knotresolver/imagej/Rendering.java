@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 import io.github.knotresolver.io.OptionText;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.simulate.BitDepth;
 import io.github.knotresolver.simulate.FrameRenderer;
 import io.github.knotresolver.simulate.OpticalRenderer;
@@ -28,13 +29,13 @@ public record Rendering(boolean optical, double pixelSize, int margin, int bits,
 
 	/**
 	 * @return bits of a pixel
-	 * @throws IllegalArgumentException if there are no such pixels
+	 * @throws UserException if there are no such pixels
 	 */
 	BitDepth depth() {
 		return switch (bits) {
 			case 8 -> BitDepth.EIGHT;
 			case 16 -> BitDepth.SIXTEEN;
-			default -> throw new IllegalArgumentException(
+			default -> throw new UserException(
 				"bits must be 8 or 16, but is " + bits + "; choose one of them.");
 		};
 	}
@@ -42,7 +43,7 @@ public record Rendering(boolean optical, double pixelSize, int margin, int bits,
 	/**
 	 * @param seed start of the random numbers
 	 * @return what draws a frame
-	 * @throws IllegalArgumentException if an option is out of range
+	 * @throws UserException if an option is out of range
 	 */
 	FrameRenderer renderer(final long seed) {
 		return optical ? new OpticalRenderer(optics, seed) : new PaperRenderer(decibel(), seed);

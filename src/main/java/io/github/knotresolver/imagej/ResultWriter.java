@@ -18,6 +18,7 @@ import io.github.knotresolver.io.ParametersJson;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.SummaryCsv;
 import io.github.knotresolver.measure.MovieMeasurements;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.Progress;
 
@@ -56,7 +57,7 @@ public final class ResultWriter {
 	 * @param plots whether plots and projections are written as well; tables, ROIs,
 	 *          overlay, montage and kymographs always are
 	 * @param progress may cancel; nothing is left then
-	 * @throws IllegalArgumentException if the folder may not be written, in one
+	 * @throws UserException if the folder may not be written, in one
 	 *           sentence
 	 * @throws IOException if the disk says no
 	 */

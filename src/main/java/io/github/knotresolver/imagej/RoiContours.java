@@ -13,6 +13,7 @@ import ij.process.FloatPolygon;
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.io.ContourInput;
+import io.github.knotresolver.model.UserException;
 
 /** The polylines of the ROI Manager as contours, each of the frame it stands on. */
 public final class RoiContours {
@@ -25,7 +26,7 @@ public final class RoiContours {
 	 * @param image where the polylines belong: gives name, calibration and the
 	 *          number of frames; may be null
 	 * @return the contours
-	 * @throws IllegalArgumentException if there are none, or two on one frame; in
+	 * @throws UserException if there are none, or two on one frame; in
 	 *           one sentence
 	 */
 	public static ContourInput read(final RoiManager manager, final ImagePlus image) {
@@ -34,7 +35,7 @@ public final class RoiContours {
 			if (isLine(roi))
 				add(contours, roi, frame(roi, image));
 		if (contours.isEmpty())
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"There is no polyline in the ROI Manager; resolve a movie first, or name a result with result=FOLDER.");
 		final int frames = Math.max(contours.lastKey(), image == null ? 0 : frames(image));
 		final List<Optional<Polyline>> all = new ArrayList<>();
@@ -61,10 +62,10 @@ public final class RoiContours {
 	private static void add(final TreeMap<Integer, Polyline> contours, final Roi roi,
 		final int frame) {
 		if (frame < 1)
-			throw new IllegalArgumentException("The ROI '" + roi.getName()
+			throw new UserException("The ROI '" + roi.getName()
 				+ "' stands on no frame; set one with More > Properties in the ROI Manager.");
 		if (contours.put(frame, contour(roi)) != null)
-			throw new IllegalArgumentException("The ROI Manager has two polylines on frame " + frame
+			throw new UserException("The ROI Manager has two polylines on frame " + frame
 				+ "; delete one, the second is '" + roi.getName() + "'.");
 	}
 

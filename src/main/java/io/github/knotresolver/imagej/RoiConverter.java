@@ -11,6 +11,7 @@ import ij.gui.PolygonRoi;
 import ij.gui.Roi;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.pipeline.Region;
 import io.github.knotresolver.pipeline.Resolution;
 
@@ -117,7 +118,7 @@ public final class RoiConverter {
 	 * @param image an image
 	 * @return the bounds of its area selection; empty if it has none, or all is
 	 *         selected
-	 * @throws IllegalArgumentException if it is too small, in one sentence
+	 * @throws UserException if it is too small, in one sentence
 	 */
 	public static Optional<Region> region(final ImagePlus image) {
 		final Roi roi = image.getRoi();

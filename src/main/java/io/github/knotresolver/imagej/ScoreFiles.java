@@ -7,6 +7,7 @@ import java.util.List;
 import io.github.knotresolver.evaluate.Evaluation;
 import io.github.knotresolver.imagej.plot.ScoreFigures;
 import io.github.knotresolver.io.EvaluationCsv;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 /** An evaluation as a table, with its figures beside it. */
@@ -17,7 +18,7 @@ public final class ScoreFiles {
 
 	/**
 	 * @param out where the table is to go
-	 * @throws IllegalArgumentException if it cannot be written there, in one
+	 * @throws UserException if it cannot be written there, in one
 	 *           sentence
 	 */
 	public static void requireWritable(final Path out) {

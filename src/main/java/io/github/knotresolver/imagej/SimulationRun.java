@@ -10,6 +10,7 @@ import io.github.knotresolver.io.ParametersJson;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.SimulationJson;
 import io.github.knotresolver.io.TruthCsv;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.simulate.Canvas;
 import io.github.knotresolver.simulate.FilamentSimulator;
@@ -29,7 +30,7 @@ public record SimulationRun(SimulationParameters parameters, Rendering rendering
 	public static final String MOVIE = "movie.tif";
 
 	/**
-	 * @throws IllegalArgumentException if a value is out of range, in one sentence
+	 * @throws UserException if a value is out of range, in one sentence
 	 */
 	public SimulationRun {
 		rendering.renderer(parameters.seed());

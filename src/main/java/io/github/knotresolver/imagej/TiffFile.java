@@ -7,6 +7,8 @@ import java.io.RandomAccessFile;
 import java.nio.ByteOrder;
 import java.nio.file.Path;
 
+import io.github.knotresolver.model.UserException;
+
 /**
  * Walks the directories of a TIFF file to see whether all the data that they
  * promise are there. ImageJ reads a file that was cut off without a word, and
@@ -31,7 +33,7 @@ final class TiffFile {
 	/**
 	 * @param path a file that starts like a TIFF
 	 * @return whether everything that its directories name lies inside the file
-	 * @throws IllegalArgumentException if it is a BigTIFF
+	 * @throws UserException if it is a BigTIFF
 	 * @throws IOException if it cannot be read
 	 */
 	static boolean isComplete(final Path path) throws IOException {
@@ -39,7 +41,7 @@ final class TiffFile {
 			final TiffFile tiff = new TiffFile(file,
 				file.readShort() == 0x4949 ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
 			if (tiff.unsignedShort() == BIG_TIFF)
-				throw new IllegalArgumentException(path.getFileName()
+				throw new UserException(path.getFileName()
 					+ " is a BigTIFF, which ImageJ alone does not read; save it as an ordinary TIFF.");
 			return tiff.directoriesAreComplete();
 		} catch (final EOFException e) {

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
+import io.github.knotresolver.model.UserException;
+
 /**
  * One row of a batch sheet.
  *
@@ -24,7 +26,7 @@ public record BatchRow(int line, Path movie, Map<String, String> texts, List<Str
 
 	/**
 	 * @return the row's options
-	 * @throws IllegalArgumentException if a value is not allowed
+	 * @throws UserException if a value is not allowed
 	 */
 	public RunOptions options() {
 		return RunOptions.parse(texts);

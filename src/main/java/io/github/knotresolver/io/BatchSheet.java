@@ -9,6 +9,8 @@ import java.util.Map;
 
 import org.apache.commons.csv.CSVRecord;
 
+import io.github.knotresolver.model.UserException;
+
 /**
  * A sheet of movies with their options, one row a movie: the original tool's
  * sheet as it is, and columns named as the options of {@link RunOptions}. Names
@@ -32,7 +34,7 @@ public record BatchSheet(List<BatchRow> rows, List<String> unknownColumns) {
 	 *
 	 * @param file the sheet; relative folders in it are relative to it
 	 * @return its rows
-	 * @throws IllegalArgumentException if it is not a sheet, in one sentence
+	 * @throws UserException if it is not a sheet, in one sentence
 	 */
 	public static BatchSheet read(final Path file) {
 		final List<CSVRecord> records = CsvFile.read(file);
@@ -41,7 +43,7 @@ public record BatchSheet(List<BatchRow> rows, List<String> unknownColumns) {
 			: records.get(0).stream().map(CsvFile::withoutByteOrderMark).toList();
 		final List<String> keys = header.stream().map(h -> h.toLowerCase(Locale.ROOT)).toList();
 		if (!keys.contains(FILE_NAME) || !keys.contains(FOLDER))
-			throw new IllegalArgumentException(
+			throw new UserException(
 				file + " must have the columns FileName and FolderPath, but its first line is '"
 					+ String.join(",", header) + "'.");
 		final Path home = file.toAbsolutePath().getParent();

@@ -24,6 +24,7 @@ import org.apache.commons.csv.CSVRecord;
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.UserException;
 
 /**
  * Contours that are to be measured: of a result folder, of a
@@ -49,7 +50,7 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 	/**
 	 * @param path a result folder or a CSV file
 	 * @return its contours
-	 * @throws IllegalArgumentException if there are none, or a file is not what it
+	 * @throws UserException if there are none, or a file is not what it
 	 *           should be, in one sentence
 	 */
 	public static ContourInput read(final Path path) {
@@ -57,7 +58,7 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 			return folder(path);
 		final List<CSVRecord> records = CsvFile.read(path);
 		if (records.isEmpty())
-			throw new IllegalArgumentException(
+			throw new UserException(
 				path + " is empty; give a result folder, a contours.csv or an MTdata.csv.");
 		final boolean original = CsvFile.withoutByteOrderMark(records.get(0).get(0))
 			.matches("[0-9.]+");
@@ -71,7 +72,7 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 	private static ContourInput folder(final Path folder) {
 		final Path file = folder.resolve(ContoursCsv.FILE);
 		if (!Files.isRegularFile(file))
-			throw new IllegalArgumentException("The folder " + folder + " has no "
+			throw new UserException("The folder " + folder + " has no "
 				+ ContoursCsv.FILE + "; give the folder that 'resolve' wrote.");
 		final Path table = folder.resolve(FramesCsv.FILE);
 		final int count = Files.isRegularFile(table) ? CsvFile.read(table).size() - 1 : 0;
@@ -87,12 +88,12 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 	private static List<Optional<Polyline>> frames(final Path file,
 		final SortedMap<Integer, Polyline> contours, final int count) {
 		if (contours.isEmpty())
-			throw new IllegalArgumentException(
+			throw new UserException(
 				file + " has no contour" + (count > 0 ? " in any of " + count + " frames" : "")
 					+ ", so there is nothing to measure; resolve or correct at least one frame.");
 		final int n = Math.max(count, contours.lastKey());
 		if (n > MOST_FRAMES)
-			throw new IllegalArgumentException(file + " names frame " + n + ", more than the "
+			throw new UserException(file + " names frame " + n + ", more than the "
 				+ MOST_FRAMES + " that can be measured; check the column.");
 		final List<Optional<Polyline>> frames = new ArrayList<>();
 		for (int frame = 1; frame <= n; frame++)
@@ -107,7 +108,7 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 		for (final CSVRecord record : records) {
 			final String place = file.getFileName() + ", line " + record.getRecordNumber();
 			if (record.size() != 3)
-				throw new IllegalArgumentException(
+				throw new UserException(
 					place + ", has " + record.size() + " columns, but needs three: frame, x, y.");
 			final int frame = OptionText.wholeNumber(place + ": frame",
 				CsvFile.withoutByteOrderMark(record.get(0)), 1);
@@ -138,7 +139,7 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 			sumPx += OptionText.number("x_px", record.get(px));
 		}
 		if (units.size() > 1)
-			throw new IllegalArgumentException(file + " mixes the units " + String.join(", ", units)
+			throw new UserException(file + " mixes the units " + String.join(", ", units)
 				+ "; give contours in one unit.");
 		return units.isEmpty() || !(sum / sumPx > 0)
 			? Calibration.NONE
@@ -165,7 +166,7 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 			return new ContourInput(name, frames, c, error / c.pixelSize());
 		} catch (final IOException | JsonParseException | IllegalStateException | ClassCastException
 			| NumberFormatException e) {
-			throw new IllegalArgumentException(
+			throw new UserException(
 				json + " is damaged; resolve the movie again, or give its contours.csv alone.", e);
 		}
 	}

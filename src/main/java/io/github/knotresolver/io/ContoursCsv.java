@@ -18,6 +18,7 @@ import org.apache.commons.csv.CSVRecord;
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.UserException;
 
 /**
  * {@code contours.csv}: one row a point. {@code x_px, y_px} are pixels (origin
@@ -73,7 +74,7 @@ public final class ContoursCsv {
 	 *
 	 * @param file the file
 	 * @return the contours in pixels, by 1-based frame
-	 * @throws IllegalArgumentException if it is not such a file; the sentence
+	 * @throws UserException if it is not such a file; the sentence
 	 *           names the line
 	 */
 	public static SortedMap<Integer, Polyline> read(final Path file) {
@@ -94,7 +95,7 @@ public final class ContoursCsv {
 			: records.get(0).stream()
 				.map(h -> CsvFile.withoutByteOrderMark(h).toLowerCase(Locale.ROOT)).toList();
 		if (!header.containsAll(NEEDED))
-			throw new IllegalArgumentException(
+			throw new UserException(
 				file + " must have the columns frame,index,x_px,y_px, but its first line is '"
 					+ String.join(",", header) + "'.");
 		return NEEDED.stream().mapToInt(header::indexOf).toArray();
@@ -104,7 +105,7 @@ public final class ContoursCsv {
 		final SortedMap<Integer, SortedMap<Integer, Point>> frames) {
 		final String place = file.getFileName() + ", line " + record.getRecordNumber();
 		if (record.size() <= Arrays.stream(columns).max().orElse(0))
-			throw new IllegalArgumentException(
+			throw new UserException(
 				place + ", has " + record.size() + " columns, fewer than its header.");
 		final int frame = OptionText.wholeNumber(place + ": frame", record.get(columns[0]), 1);
 		final int index = OptionText.wholeNumber(place + ": index", record.get(columns[1]), 0);
@@ -112,7 +113,7 @@ public final class ContoursCsv {
 			OptionText.number(place + ": y_px", record.get(columns[3])));
 		if (frames.computeIfAbsent(frame, f -> new TreeMap<>(Comparator.naturalOrder())).put(index,
 			point) != null)
-			throw new IllegalArgumentException(
+			throw new UserException(
 				place + ": frame " + frame + " has two points with index " + index + ".");
 	}
 }

@@ -14,6 +14,8 @@ import org.apache.commons.csv.CSVParser;
 import org.apache.commons.csv.CSVPrinter;
 import org.apache.commons.csv.CSVRecord;
 
+import io.github.knotresolver.model.UserException;
+
 /** CSV as this program writes and reads it: UTF-8, commas, line feeds. */
 final class CsvFile {
 
@@ -36,16 +38,16 @@ final class CsvFile {
 
 	/**
 	 * @return all records, the header among them
-	 * @throws IllegalArgumentException if the file is not readable text
+	 * @throws UserException if the file is not readable text
 	 */
 	static List<CSVRecord> read(final Path file) {
 		if (!Files.isRegularFile(file))
-			throw new IllegalArgumentException("There is no file " + file + "; check the path.");
+			throw new UserException("There is no file " + file + "; check the path.");
 		try (Reader reader = Files.newBufferedReader(file, StandardCharsets.UTF_8);
 			CSVParser parser = READ.parse(reader)) {
 			return parser.getRecords();
 		} catch (final IOException | UncheckedIOException e) {
-			throw new IllegalArgumentException(
+			throw new UserException(
 				file + " is not a CSV file in UTF-8; save it as one.", e);
 		}
 	}

@@ -10,6 +10,7 @@ import org.apache.commons.csv.CSVPrinter;
 import io.github.knotresolver.evaluate.CurveScore;
 import io.github.knotresolver.evaluate.Evaluation;
 import io.github.knotresolver.evaluate.FrameScore;
+import io.github.knotresolver.model.UserException;
 
 /**
  * The scores of a result, one row for every frame of the truth. Distances are in
@@ -42,14 +43,14 @@ public final class EvaluationCsv {
 
 	/**
 	 * @param out where the scores are to go
-	 * @throws IllegalArgumentException if they cannot be written there, in one
+	 * @throws UserException if they cannot be written there, in one
 	 *           sentence
 	 */
 	public static void requireWritable(final Path out) {
 		final Path folder = out.toAbsolutePath().normalize().getParent();
 		if (folder == null || Files.isDirectory(out) || !Files.isDirectory(folder)
 			|| !Files.isWritable(Files.exists(out) ? out : folder))
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"out " + out + " cannot be written; choose a file in a writable folder.");
 	}
 

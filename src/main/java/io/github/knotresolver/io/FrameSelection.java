@@ -7,6 +7,8 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
+import io.github.knotresolver.model.UserException;
+
 /**
  * Frames as people write them: {@code 1-40,45}. Frames count from 1. The
  * original tool's lists, {@code [1 5 7]} and {@code 1;5;7}, are read too.
@@ -42,7 +44,7 @@ public final class FrameSelection {
 			? Integer.parseInt(matcher.group(2))
 			: from;
 		if (from < 1 || to < from)
-			throw new IllegalArgumentException(
+			throw new UserException(
 				key + " must be frames counted from 1, such as 1-40,45, but is '" + text.strip()
 					+ "'.");
 		for (int frame = from; frame <= to; frame++)

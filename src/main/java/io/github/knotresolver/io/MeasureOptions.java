@@ -14,6 +14,7 @@ import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.measure.Quantity;
 import io.github.knotresolver.measure.Rigidity;
 import io.github.knotresolver.measure.Smoothing;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -50,7 +51,7 @@ public final class MeasureOptions {
 	 * @param contours the contours
 	 * @param progress told how far it is
 	 * @return the measurements
-	 * @throws IllegalArgumentException if an option is not allowed, or nothing can
+	 * @throws UserException if an option is not allowed, or nothing can
 	 *           be measured; in one sentence
 	 */
 	public MovieMeasurements measure(final ContourInput contours, final Progress progress) {
@@ -92,7 +93,7 @@ public final class MeasureOptions {
 		final Optional<Double> length = positive("persistence_length");
 		final Optional<Double> rigidity = positive("rigidity");
 		if (length.isPresent() && rigidity.isPresent())
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"Give either a persistence length or a rigidity, not both.");
 		return length.map(Rigidity::ofPersistenceLength)
 			.orElseGet(() -> rigidity.map(Rigidity::ofFlexural).orElse(Rigidity.UNKNOWN));

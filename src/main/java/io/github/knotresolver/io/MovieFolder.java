@@ -9,6 +9,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
 
+import io.github.knotresolver.model.UserException;
+
 /** What a batch works on: a sheet, or a folder with one row for every movie in it. */
 public final class MovieFolder {
 
@@ -20,7 +22,7 @@ public final class MovieFolder {
 	/**
 	 * @param input a sheet or a folder
 	 * @return the rows; those of a folder in the order of their names
-	 * @throws IllegalArgumentException if it is neither, or has no movie; in one
+	 * @throws UserException if it is neither, or has no movie; in one
 	 *           sentence
 	 */
 	public static BatchSheet read(final Path input) {
@@ -30,7 +32,7 @@ public final class MovieFolder {
 		for (final Path movie : movies(input))
 			rows.add(new BatchRow(rows.size() + 1, movie, Map.of(), List.of()));
 		if (rows.isEmpty())
-			throw new IllegalArgumentException("The folder " + input + " has no movie ("
+			throw new UserException("The folder " + input + " has no movie ("
 				+ String.join(", ", ENDINGS) + "); name another one.");
 		return new BatchSheet(rows, List.of());
 	}
@@ -40,7 +42,7 @@ public final class MovieFolder {
 			return files.filter(Files::isRegularFile).filter(MovieFolder::isMovie).sorted()
 				.toList();
 		} catch (final IOException e) {
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"The folder " + folder + " cannot be read: " + e.getMessage() + ".", e);
 		}
 	}

@@ -8,6 +8,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.pipeline.Region;
 
 /**
@@ -162,9 +163,9 @@ public final class OptionText {
 	 * @param text what was typed
 	 * @return the refusal: one sentence that names all three
 	 */
-	public static IllegalArgumentException refusal(final String key, final String expected,
+	public static UserException refusal(final String key, final String expected,
 		final String text) {
-		return new IllegalArgumentException(
+		return new UserException(
 			key + " must be " + expected + ", but is '" + text.strip() + "'.");
 	}
 }

@@ -14,6 +14,8 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
 
+import io.github.knotresolver.model.UserException;
+
 /**
  * A finished result folder, as far as it tells how it was made.
  *
@@ -29,18 +31,18 @@ public record ResolvedRun(String name, Optional<Path> movie, RunOptions options,
 	/**
 	 * @param folder a folder that {@code resolve} wrote
 	 * @return what is in it
-	 * @throws IllegalArgumentException if it is no such folder, in one sentence
+	 * @throws UserException if it is no such folder, in one sentence
 	 */
 	public static ResolvedRun read(final Path folder) {
 		final Path json = folder.resolve(ParametersJson.FILE);
 		if (!Files.isDirectory(folder) || !ParametersJson.isOurs(json)
 			|| !Files.isRegularFile(folder.resolve(ContoursCsv.FILE)))
-			throw new IllegalArgumentException("like must be a folder that 'resolve' wrote, with "
+			throw new UserException("like must be a folder that 'resolve' wrote, with "
 				+ ParametersJson.FILE + " and " + ContoursCsv.FILE + ", but is '" + folder + "'.");
 		try (Reader reader = Files.newBufferedReader(json, StandardCharsets.UTF_8)) {
 			final JsonObject root = JsonParser.parseReader(reader).getAsJsonObject();
 			if (!root.has("options") || !root.has("movie"))
-				throw new IllegalArgumentException(
+				throw new UserException(
 					"like must be a folder that 'resolve' wrote, but " + folder
 						+ " holds something else; name the folder of a resolved movie.");
 			final JsonObject movie = root.getAsJsonObject("movie");
@@ -49,7 +51,7 @@ public record ResolvedRun(String name, Optional<Path> movie, RunOptions options,
 				ContourInput.read(folder));
 		} catch (final IOException | JsonParseException | IllegalStateException | ClassCastException
 			| NullPointerException e) {
-			throw new IllegalArgumentException(json + " is damaged; resolve the movie again.", e);
+			throw new UserException(json + " is damaged; resolve the movie again.", e);
 		}
 	}
 
@@ -69,17 +71,17 @@ public record ResolvedRun(String name, Optional<Path> movie, RunOptions options,
 	/**
 	 * @param named a file that the user names; null for the recorded one
 	 * @return the movie's file
-	 * @throws IllegalArgumentException if it is not there, in one sentence that says
+	 * @throws UserException if it is not there, in one sentence that says
 	 *           what to do
 	 */
 	public Path movieFile(final Path named) {
 		if (named != null)
 			return named;
-		final Path file = movie.orElseThrow(() -> new IllegalArgumentException(
+		final Path file = movie.orElseThrow(() -> new UserException(
 			"movie is missing: the result does not tell the file of '" + name
 				+ "'; name the movie that it was made from."));
 		if (!Files.isRegularFile(file))
-			throw new IllegalArgumentException("movie is missing: " + file
+			throw new UserException("movie is missing: " + file
 				+ ", which the result was made from, is gone; name the file where it is now.");
 		return file;
 	}

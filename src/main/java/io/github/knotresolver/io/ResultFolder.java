@@ -11,6 +11,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
 
+import io.github.knotresolver.model.UserException;
+
 /**
  * A folder of results that is complete or absent: files are written into a
  * hidden folder beside it, which takes the wanted name at the end.
@@ -41,36 +43,36 @@ public final class ResultFolder implements AutoCloseable {
 	 * @param out the wanted folder; it may be absent or empty
 	 * @param overwrite whether an earlier result may be replaced, with all that
 	 *          is in its folder; a folder without a result never is
-	 * @throws IllegalArgumentException if it may not, in one sentence
+	 * @throws UserException if it may not, in one sentence
 	 */
 	public static void check(final Path out, final boolean overwrite) {
 		final Path target = out.toAbsolutePath().normalize();
 		final Path parent = existingParent(target);
 		if (!Files.isDirectory(parent))
-			throw new IllegalArgumentException("out " + out + " cannot be written, because "
+			throw new UserException("out " + out + " cannot be written, because "
 				+ parent + " is a file; choose another folder.");
 		if (Files.exists(target))
 			checkExisting(out, target, overwrite);
 		else if (!Files.isWritable(parent))
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"out " + out + " cannot be written, because the folder " + parent
 					+ " is not writable; choose another one.");
 	}
 
 	private static void checkExisting(final Path out, final Path target, final boolean overwrite) {
 		if (!Files.isDirectory(target))
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"out " + out + " is a file, but the result needs a folder; choose another name.");
 		if (!Files.isWritable(target) || !Files.isWritable(target.getParent()))
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"out " + out + " is a folder that is not writable; choose another one.");
 		if (isEmpty(target))
 			return;
 		if (!isResult(target))
-			throw new IllegalArgumentException("out " + out
+			throw new UserException("out " + out
 				+ " holds files that are not a result of this program; choose another one.");
 		if (!overwrite)
-			throw new IllegalArgumentException("out " + out
+			throw new UserException("out " + out
 				+ " already holds a result; choose another one, or add --force to replace it.");
 	}
 
@@ -80,7 +82,7 @@ public final class ResultFolder implements AutoCloseable {
 	 * @param out the wanted folder; missing parents are made at the end
 	 * @param overwrite whether an earlier result may be replaced
 	 * @return the folder, to be committed and closed
-	 * @throws IllegalArgumentException if it may not be written, in one sentence
+	 * @throws UserException if it may not be written, in one sentence
 	 * @throws IOException if the disk says no
 	 */
 	public static ResultFolder prepare(final Path out, final boolean overwrite) throws IOException {
@@ -159,7 +161,7 @@ public final class ResultFolder implements AutoCloseable {
 		while (parent != null && !Files.exists(parent))
 			parent = parent.getParent();
 		if (parent == null)
-			throw new IllegalArgumentException(target + " is not a folder that can be written.");
+			throw new UserException(target + " is not a folder that can be written.");
 		return parent;
 	}
 

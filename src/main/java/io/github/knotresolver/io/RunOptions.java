@@ -17,6 +17,7 @@ import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Cleaning;
 import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.mask.Segmentation;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.pipeline.FrameChoice;
 import io.github.knotresolver.pipeline.Parameters;
 import io.github.knotresolver.pipeline.Parameters.CandidateMethod;
@@ -53,14 +54,14 @@ public final class RunOptions {
 	 *
 	 * @param texts what was typed, by key
 	 * @return the options
-	 * @throws IllegalArgumentException if a key is not known or a value is not
+	 * @throws UserException if a key is not known or a value is not
 	 *           allowed; one sentence that names the key, the value and what was
 	 *           expected
 	 */
 	public static RunOptions parse(final Map<String, String> texts) {
 		final TreeMap<String, String> given = new TreeMap<>(texts);
 		given.keySet().stream().filter(key -> !KEYS.contains(key)).findFirst().ifPresent(key -> {
-			throw new IllegalArgumentException("There is no option '" + key + "'; the options are "
+			throw new UserException("There is no option '" + key + "'; the options are "
 				+ String.join(", ", KEYS) + ".");
 		});
 		given.values().removeIf(text -> text == null || text.isBlank());
@@ -78,7 +79,7 @@ public final class RunOptions {
 	 *
 	 * @param movie the movie
 	 * @return the parameters
-	 * @throws IllegalArgumentException if they name a place, a frame or a
+	 * @throws UserException if they name a place, a frame or a
 	 *           length that the movie does not have, or leave no frame
 	 */
 	public Parameters parameters(final Movie movie) {
@@ -117,7 +118,7 @@ public final class RunOptions {
 
 	private static Cleaning cleaning(final Map<String, String> given) {
 		if (given.containsKey("log_size") != given.containsKey("log_sigma"))
-			throw new IllegalArgumentException("log_size and log_sigma go together, but only "
+			throw new UserException("log_size and log_sigma go together, but only "
 				+ (given.containsKey("log_size") ? "log_size" : "log_sigma") + " was given.");
 		if (!given.containsKey("log_size"))
 			return Cleaning.DEFAULT;

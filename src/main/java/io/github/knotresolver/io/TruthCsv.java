@@ -10,6 +10,7 @@ import java.util.SortedMap;
 import org.apache.commons.csv.CSVPrinter;
 
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.UserException;
 
 /**
  * Contours in pixels and nothing else: {@code frame,index,x_px,y_px}, the
@@ -26,15 +27,15 @@ public final class TruthCsv {
 	 * @param key the option that named the file
 	 * @param file the file, or a folder with a {@code contours.csv}
 	 * @return the contours in pixels, by 1-based frame
-	 * @throws IllegalArgumentException if it is not such a file; the sentence
+	 * @throws UserException if it is not such a file; the sentence
 	 *           begins with the key
 	 */
 	public static SortedMap<Integer, Polyline> read(final String key, final Path file) {
 		try {
 			return ContoursCsv
 				.read(Files.isDirectory(file) ? file.resolve(ContoursCsv.FILE) : file);
-		} catch (final IllegalArgumentException e) {
-			throw new IllegalArgumentException(key + " cannot be used: " + e.getMessage(), e);
+		} catch (final UserException e) {
+			throw new UserException(key + " cannot be used: " + e.getMessage(), e);
 		}
 	}
 

@@ -3,6 +3,8 @@ package io.github.knotresolver.mask;
 import java.util.Objects;
 import java.util.OptionalDouble;
 
+import io.github.knotresolver.model.UserException;
+
 /**
  * Parameters of finding the filament's mask.
  *
@@ -38,16 +40,16 @@ public record Segmentation(Steps steps, OptionalDouble threshold, int iterations
 		Objects.requireNonNull(steps);
 		if (threshold.isPresent()
 			&& !(threshold.getAsDouble() >= 0 && threshold.getAsDouble() <= 1))
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"threshold must be from 0 to 1, or otsu, but is " + threshold.getAsDouble() + ".");
 		if (iterations < 0 || iterations > 1000)
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"iterations must be from 0 to 1000, but is " + iterations + ".");
 		if (!(contractionBias >= -1 && contractionBias <= 1))
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"contraction_bias must be from -1 to 1, but is " + contractionBias + ".");
 		if (!(smoothFactor >= 0 && smoothFactor <= 10))
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"smooth_factor must be from 0 to 10, but is " + smoothFactor + ".");
 	}
 }

@@ -9,6 +9,7 @@ import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -57,7 +58,7 @@ public final class MovieMeasurements {
 	 *          there is no contour
 	 * @param c calibration
 	 * @return the measurements
-	 * @throws IllegalArgumentException if no frame can be measured
+	 * @throws UserException if no frame can be measured
 	 */
 	public static MovieMeasurements of(final String name, final List<Optional<Polyline>> contoursPx,
 		final Calibration c) {
@@ -75,7 +76,7 @@ public final class MovieMeasurements {
 	 * @param rigidity for the bending energy
 	 * @param progress told how far it is
 	 * @return the measurements
-	 * @throws IllegalArgumentException if no frame can be measured, or the
+	 * @throws UserException if no frame can be measured, or the
 	 *           rigidity's unit does not fit the calibration's
 	 */
 	public static MovieMeasurements of(final String name, final List<Optional<Polyline>> contoursPx,
@@ -97,7 +98,7 @@ public final class MovieMeasurements {
 	 *          at, in the unit of length; 0 if they were not, or it is not known
 	 * @param progress told how far it is
 	 * @return the measurements
-	 * @throws IllegalArgumentException if no frame can be measured, or the
+	 * @throws UserException if no frame can be measured, or the
 	 *           rigidity's unit does not fit the calibration's
 	 */
 	public static MovieMeasurements of(final String name, final List<Optional<Polyline>> contoursPx,
@@ -132,10 +133,10 @@ public final class MovieMeasurements {
 
 	private static void requireContours(final List<Optional<Polyline>> contours) {
 		if (contours.isEmpty())
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"There are no frames to measure; give a result with at least one frame.");
 		if (contours.stream().noneMatch(p -> p.filter(ContourGeometry::isMeasurable).isPresent()))
-			throw new IllegalArgumentException("None of the " + contours.size()
+			throw new UserException("None of the " + contours.size()
 				+ " frames has a contour of 3 points or more, so there is nothing to measure; resolve or correct at least one frame.");
 	}
 

@@ -2,6 +2,7 @@
 package io.github.knotresolver.measure;
 
 import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.model.UserException;
 
 /**
  * What turns the bending of a curve into an energy.
@@ -26,7 +27,7 @@ public record Rigidity(Kind kind, double value) {
 
 	public Rigidity {
 		if (!(value > 0) || Double.isInfinite(value))
-			throw new IllegalArgumentException(
+			throw new UserException(
 				(kind == Kind.PERSISTENCE_LENGTH ? "The persistence length" : "The rigidity")
 					+ " must be above 0, but is " + value + ".");
 	}
@@ -52,12 +53,12 @@ public record Rigidity(Kind kind, double value) {
 	/**
 	 * @param c calibration
 	 * @return the unit of bending energies
-	 * @throws IllegalArgumentException if the rigidity's unit of length is not
+	 * @throws UserException if the rigidity's unit of length is not
 	 *           that of the image
 	 */
 	public String energyUnit(final Calibration c) {
 		if (kind == Kind.FLEXURAL && !c.unit().equals("µm"))
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"A rigidity in pN µm² needs an image calibrated in µm, but its unit is " + c.unit()
 					+ "; calibrate it or give a persistence length.");
 		return switch (kind) {

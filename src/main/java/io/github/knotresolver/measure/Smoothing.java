@@ -7,6 +7,7 @@ import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.UserException;
 
 /**
  * How a contour is smoothed along its arc length: Savitzky and Golay's filter
@@ -32,10 +33,10 @@ public record Smoothing(double window, int order) {
 
 	public Smoothing {
 		if (!(window > 0) || Double.isInfinite(window))
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"The smoothing window must be above 0, but is " + window + ".");
 		if (order < 2 || order > 5)
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"The smoothing order must be from 2 to 5, but is " + order + ".");
 	}
 
@@ -52,14 +53,14 @@ public record Smoothing(double window, int order) {
 	 * @param contoursPx contours in pixels, at least one with three points
 	 * @param c calibration
 	 * @return the smoothing
-	 * @throws IllegalArgumentException if no contour can be measured
+	 * @throws UserException if no contour can be measured
 	 */
 	public static Smoothing derivedFrom(final Collection<Polyline> contoursPx,
 		final Calibration c) {
 		final List<Samples> samples = contoursPx.stream().filter(ContourGeometry::isMeasurable)
 			.map(p -> Samples.of(p, c.pixelSize())).toList();
 		if (samples.isEmpty())
-			throw new IllegalArgumentException("None of the " + contoursPx.size()
+			throw new UserException("None of the " + contoursPx.size()
 				+ " contours has three points or more, so there is nothing to smooth; check whether any frame was resolved.");
 		final WindowChoice choice = new WindowChoice(samples, c.pixelSize());
 		final List<Polyline> some = sample(contoursPx);

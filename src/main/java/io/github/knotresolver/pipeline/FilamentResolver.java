@@ -9,6 +9,7 @@ import java.util.Optional;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.pipeline.FrameResolver.Found;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
@@ -41,7 +42,7 @@ public final class FilamentResolver {
 	 * @param movie the movie
 	 * @param progress told how far the work is, and asked whether to stop
 	 * @return one row for every frame of the movie
-	 * @throws IllegalArgumentException if the movie or the parameters do not fit
+	 * @throws UserException if the movie or the parameters do not fit
 	 *           together, or no filament was found; the message says what to do
 	 * @throws io.github.knotresolver.progress.CancelledException if the user asked to
 	 *           stop
@@ -87,14 +88,14 @@ public final class FilamentResolver {
 		final double nearest = frames.stream().mapToDouble(f -> f.distance(end)).min()
 			.orElse(Double.POSITIVE_INFINITY);
 		if (nearest > FAR)
-			throw new IllegalArgumentException("fixed_end " + end + " is "
+			throw new UserException("fixed_end " + end + " is "
 				+ (Double.isInfinite(nearest) ? "not near" : Math.round(nearest) + " px from")
 				+ " any object in any frame; give a point on the "
 				+ "filament's clamped end, in pixels, or none to have it found.");
 	}
 
-	private static IllegalArgumentException nothingFound(final Movie movie) {
-		return new IllegalArgumentException("No filament was found in '" + movie.name()
+	private static UserException nothingFound(final Movie movie) {
+		return new UserException("No filament was found in '" + movie.name()
 			+ "': no bright line on a darker background can be followed in any frame; check the channel, "
 			+ "set a threshold, or tell the fixed end.");
 	}

@@ -8,6 +8,7 @@ import java.util.stream.IntStream;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.UserException;
 
 /** Which frames are to be resolved, once movie and parameters are known to fit together. */
 public record FrameChoice(Movie movie, Parameters parameters) {
@@ -17,7 +18,7 @@ public record FrameChoice(Movie movie, Parameters parameters) {
 
 	/**
 	 * @return 1-based numbers of the frames to resolve, rising, at least one
-	 * @throws IllegalArgumentException if the parameters name a frame, a place or a length
+	 * @throws UserException if the parameters name a frame, a place or a length
 	 *           that the movie does not have, or leave no frame
 	 */
 	public List<Integer> frames() {
@@ -31,7 +32,7 @@ public record FrameChoice(Movie movie, Parameters parameters) {
 			.filter(f -> parameters.frames().isEmpty() || parameters.frames().contains(f))
 			.filter(f -> !parameters.ignoreFrames().contains(f)).toList();
 		if (wanted.isEmpty())
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"No frame is left to resolve: frames and ignore_frames leave none of the "
 					+ movie.size() + " frames of '" + movie.name() + "'.");
 		return wanted;
@@ -39,21 +40,21 @@ public record FrameChoice(Movie movie, Parameters parameters) {
 
 	private void requireInside(final String name, final Collection<Integer> numbers) {
 		if (!numbers.isEmpty() && Collections.max(numbers) > movie.size())
-			throw new IllegalArgumentException(name + " names frame " + Collections.max(numbers)
+			throw new UserException(name + " names frame " + Collections.max(numbers)
 				+ ", but the movie has " + movie.size() + " frames.");
 	}
 
 	private void requireInside(final String what, final Point place) {
 		if (!(place.x() >= -0.5 && place.x() <= movie.width() - 0.5 && place.y() >= -0.5
 			&& place.y() <= movie.height() - 0.5))
-			throw new IllegalArgumentException(what + " must lie inside the image of "
+			throw new UserException(what + " must lie inside the image of "
 				+ movie.width() + " x " + movie.height() + " pixels, but is " + place + ".");
 	}
 
 	private void requireUsable(final int frame, final Polyline contour) {
 		final String name = "The correction of frame " + frame;
 		if (contour.size() < 2 || !(contour.length() > 1))
-			throw new IllegalArgumentException(name
+			throw new UserException(name
 				+ " needs at least two points, more than a pixel apart, from the fixed end to the tip.");
 		requireInside(name + ": its first point", contour.first());
 		requireInside(name + ": its last point", contour.last());
@@ -61,7 +62,7 @@ public record FrameChoice(Movie movie, Parameters parameters) {
 
 	private void requirePossible(final double length) {
 		if (length > LONGEST * (movie.width() + movie.height()))
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"length is " + length + " pixels, which is far too long for an image of "
 					+ movie.width() + " x " + movie.height()
 					+ " pixels; give it in the image's unit, " + movie.calibration().unit() + ".");

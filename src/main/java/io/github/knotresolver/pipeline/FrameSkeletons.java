@@ -6,6 +6,7 @@ import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
 
 import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.skeleton.Skeletonize;
@@ -27,7 +28,7 @@ public final class FrameSkeletons {
 	 *          automatic threshold, which is Otsu's in the published method
 	 * @param progress told how far the work is; may cancel
 	 * @return a one-pixel line for each wanted frame, in order, of a frame's size
-	 * @throws IllegalArgumentException if the movie and the parameters do not fit
+	 * @throws UserException if the movie and the parameters do not fit
 	 *           together
 	 */
 	public static List<Img<BitType>> of(final Movie movie, final Parameters parameters,

@@ -12,6 +12,7 @@ import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Cleaning;
 import io.github.knotresolver.mask.Segmentation;
+import io.github.knotresolver.model.UserException;
 
 /**
  * Everything that decides a result, besides the movie itself. The names are
@@ -72,10 +73,10 @@ public record Parameters(Optional<Point> fixedEnd, Cleaning cleaning, Segmentati
 		Objects.requireNonNull(resolver);
 		Objects.requireNonNull(lengthModel);
 		if (length.isPresent() && !(length.getAsDouble() > 0))
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"length must be above 0, but is " + length.getAsDouble() + ".");
 		if (threads < 1)
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"threads must be at least 1, but is " + threads + ".");
 		frames = Collections.unmodifiableSortedSet(new TreeSet<>(frames));
 		ignoreFrames = Collections.unmodifiableSortedSet(new TreeSet<>(ignoreFrames));

@@ -8,6 +8,7 @@ import net.imglib2.view.Views;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.UserException;
 
 /**
  * The part of a movie that a search is limited to, in pixels; results are in the
@@ -25,7 +26,7 @@ public record Region(int x, int y, int width, int height) {
 
 	public Region {
 		if (width < LEAST || height < LEAST)
-			throw new IllegalArgumentException("The region " + x + "," + y + "," + width + ","
+			throw new UserException("The region " + x + "," + y + "," + width + ","
 				+ height + " is too small for a filament; it must have " + LEAST + " x " + LEAST
 				+ " pixels at least, or leave it out to search the whole image.");
 	}
@@ -39,12 +40,12 @@ public record Region(int x, int y, int width, int height) {
 	/**
 	 * @param movie a movie
 	 * @return this region
-	 * @throws IllegalArgumentException if it reaches outside of the movie, in one
+	 * @throws UserException if it reaches outside of the movie, in one
 	 *           sentence
 	 */
 	public Region inside(final Movie movie) {
 		if (x < 0 || y < 0 || x + width > movie.width() || y + height > movie.height())
-			throw new IllegalArgumentException("The region " + this + " (x,y,width,height)"
+			throw new UserException("The region " + this + " (x,y,width,height)"
 				+ " reaches outside of '" + movie.name() + "', which has " + movie.width() + " x "
 				+ movie.height() + " pixels; move it, or leave it out to search the whole image.");
 		return this;
@@ -53,7 +54,7 @@ public record Region(int x, int y, int width, int height) {
 	/**
 	 * @param movie a movie
 	 * @return this part of it; pixels are shared
-	 * @throws IllegalArgumentException if the region reaches outside of it
+	 * @throws UserException if the region reaches outside of it
 	 */
 	public Movie of(final Movie movie) {
 		inside(movie);
@@ -69,7 +70,7 @@ public record Region(int x, int y, int width, int height) {
 	/**
 	 * @param p parameters of the whole movie
 	 * @return the parameters in this part's own pixels
-	 * @throws IllegalArgumentException if the fixed end lies outside, in one
+	 * @throws UserException if the fixed end lies outside, in one
 	 *           sentence
 	 */
 	public Parameters of(final Parameters p) {
@@ -84,7 +85,7 @@ public record Region(int x, int y, int width, int height) {
 		final Point moved = new Point(end.x() - x, end.y() - y);
 		if (moved.x() < -0.5 || moved.y() < -0.5 || moved.x() > width - 0.5
 			|| moved.y() > height - 0.5)
-			throw new IllegalArgumentException("fixed_end " + end + " lies outside the region "
+			throw new UserException("fixed_end " + end + " lies outside the region "
 				+ this
 				+ " (x,y,width,height); move the region, or leave it out to search the whole image.");
 		return moved;

@@ -5,6 +5,7 @@ import java.util.List;
 
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.UserException;
 
 /**
  * The view of a trajectory: all frames share it. Pixel = µm / pixelSize +
@@ -35,7 +36,7 @@ public record Canvas(int width, int height, double pixelSize, double offsetX, do
 	 *
 	 * @param pixelSize in µm
 	 * @param margin in pixels
-	 * @throws IllegalArgumentException if one is out of range
+	 * @throws UserException if one is out of range
 	 */
 	public static void check(final double pixelSize, final int margin) {
 		Require.within("pixel_size", pixelSize, 0.005, 10, "µm");
@@ -49,7 +50,7 @@ public record Canvas(int width, int height, double pixelSize, double offsetX, do
 	 * @param pixelSize in µm, 0.005 to 10; default 0.106
 	 * @param margin in pixels, 0 to 1000; default 20
 	 * @return the canvas
-	 * @throws IllegalArgumentException if a number is out of range or a frame would
+	 * @throws UserException if a number is out of range or a frame would
 	 *           have more than 40 million pixels
 	 */
 	public static Canvas around(final Trajectory trajectory, final double pixelSize,
@@ -66,7 +67,7 @@ public record Canvas(int width, int height, double pixelSize, double offsetX, do
 		final double width = Math.ceil((right - left) / pixelSize) + 2 * margin + 1;
 		final double height = Math.ceil((bottom - top) / pixelSize) + 2 * margin + 1;
 		if (width * height > MOST_PIXELS)
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"pixel_size " + pixelSize + " µm makes frames of " + (long) width + " x "
 					+ (long) height + " pixels, more than 40 million; choose larger pixels.");
 		return new Canvas((int) width, (int) height, pixelSize, margin - left / pixelSize,

@@ -2,6 +2,7 @@
 package io.github.knotresolver.simulate;
 
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.UserException;
 
 /**
  * The published rendering: a one-pixel skeleton, dilated by a diamond of size
@@ -23,7 +24,7 @@ public final class PaperRenderer implements FrameRenderer {
 	/**
 	 * @param snr signal-to-noise ratio in dB, -30 to 100, or infinity for none
 	 * @param seed start of the noise's random numbers
-	 * @throws IllegalArgumentException if the ratio is out of range
+	 * @throws UserException if the ratio is out of range
 	 */
 	public PaperRenderer(final double snr, final long seed) {
 		this.snr = snr == Double.POSITIVE_INFINITY

@@ -3,6 +3,8 @@ package io.github.knotresolver.simulate;
 
 import java.util.Locale;
 
+import io.github.knotresolver.model.UserException;
+
 /**
  * Says in one sentence what is wrong with a parameter: its key in macros, which
  * the command line spells as an option, its value, and what is allowed.
@@ -15,7 +17,7 @@ final class Require {
 	static double within(final String key, final double value, final double low, final double high,
 		final String unit) {
 		if (!(value >= low && value <= high))
-			throw new IllegalArgumentException(String.format(Locale.ROOT,
+			throw new UserException(String.format(Locale.ROOT,
 				"%s must be %s to %s%s, but is %s; choose a value in that range.", key, text(low),
 				text(high), unit.isEmpty() ? "" : " " + unit, text(value)));
 		return value;

@@ -9,6 +9,7 @@ import net.imglib2.type.numeric.IntegerType;
 
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -37,7 +38,7 @@ public record SimulatedMovie(Movie movie, List<Polyline> truth) {
 	 * @param depth 8 or 16 bit
 	 * @param progress told after every frame; may cancel
 	 * @return the movie and its truth
-	 * @throws IllegalArgumentException if the movie would have more than two
+	 * @throws UserException if the movie would have more than two
 	 *           thousand million pixels
 	 */
 	public static SimulatedMovie render(final String name, final Trajectory trajectory,
@@ -46,7 +47,7 @@ public record SimulatedMovie(Movie movie, List<Polyline> truth) {
 		final List<Polyline> truth = canvas.truth(trajectory);
 		final long pixels = (long) canvas.width() * canvas.height() * truth.size();
 		if (pixels > MOST_PIXELS)
-			throw new IllegalArgumentException("frames are too many for one movie: " + truth.size()
+			throw new UserException("frames are too many for one movie: " + truth.size()
 				+ " of " + canvas.width() + " x " + canvas.height()
 				+ " pixels, more than 2000 million pixels; choose fewer frames or larger pixels.");
 		final Img<? extends IntegerType<?>> frames = blank(canvas, truth.size(), depth);

@@ -28,6 +28,7 @@ import ij.gui.Roi;
 import ij.io.RoiDecoder;
 import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.imagej.TestImages;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 
@@ -212,7 +213,7 @@ class CommandLineTest {
 	@Test
 	void failureIsStatus1WithOneLineAndNothingWritten() throws IOException {
 		final Engine none = (m, p, progress) -> {
-			throw new IllegalArgumentException("No filament was found.");
+			throw new UserException("No filament was found.");
 		};
 		final Engine broken = (m, p, progress) -> {
 			throw new ArrayIndexOutOfBoundsException("Index 7\nout of bounds");

@@ -24,6 +24,7 @@ import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.imagej.form.FormField;
 import io.github.knotresolver.imagej.form.MacroOptions;
 import io.github.knotresolver.io.RunOptions;
+import io.github.knotresolver.model.UserException;
 
 /** The keys, labels and ranges of every Command, and how macros fill them in. */
 class FormTest {
@@ -109,7 +110,7 @@ class FormTest {
 		"threads=&n | threads is &n, but the macro has no variable of that name; define it before."})
 	void wrongOptionsAreRefusedInOneSentence(final String options, final String sentence) {
 		final Form form = Form.of(new ResolveFilamentCommand());
-		assertEquals(sentence, assertThrows(IllegalArgumentException.class,
+		assertEquals(sentence, assertThrows(UserException.class,
 			() -> form.fill(MacroOptions.parse(options, n -> null))).getMessage());
 	}
 }

@@ -8,6 +8,7 @@ import ij.WindowManager;
 import ij.plugin.frame.RoiManager;
 import io.github.knotresolver.imagej.RoiContours;
 import io.github.knotresolver.io.MeasureOptions;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 /** Runs a macro in plain ImageJ on a display: its file. */
@@ -23,7 +24,7 @@ public final class WindowMacroMain {
 				RoiContours.read(RoiManager.getInstance2(), WindowManager.getCurrentImage()),
 				Progress.NONE);
 			return "nothing is wrong";
-		} catch (final IllegalArgumentException e) {
+		} catch (final UserException e) {
 			return e.getMessage();
 		}
 	}

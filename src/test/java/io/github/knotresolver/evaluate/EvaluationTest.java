@@ -13,6 +13,7 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 class EvaluationTest {
@@ -58,12 +59,12 @@ class EvaluationTest {
 
 	@Test
 	void truthMustHaveFramesWithLength() {
-		assertThrows(IllegalArgumentException.class,
+		assertThrows(UserException.class,
 			() -> Evaluation.of(new TreeMap<>(), new TreeMap<>(), Progress.NONE));
 		final SortedMap<Integer, Polyline> truth = new TreeMap<>();
 		truth.put(7, LINE.head(0));
 		assertEquals("truth has a contour without length in frame 7; give it two points or more.",
-			assertThrows(IllegalArgumentException.class,
+			assertThrows(UserException.class,
 				() -> Evaluation.of(truth, new TreeMap<>(), Progress.NONE)).getMessage());
 	}
 

@@ -28,6 +28,7 @@ import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.io.InputOptions;
 import io.github.knotresolver.io.RunOptions;
+import io.github.knotresolver.model.UserException;
 
 class ImageMovieTest {
 
@@ -147,7 +148,7 @@ class ImageMovieTest {
 		assertEquals(5, ImageFile.open(file).getStackSize());
 		for (int length = 9; length < whole.length; length += 7) {
 			Files.write(file, Arrays.copyOf(whole, length));
-			final String message = assertThrows(IllegalArgumentException.class,
+			final String message = assertThrows(UserException.class,
 				() -> ImageFile.open(file)).getMessage();
 			assertTrue(message.contains("is cut off") || message.contains("not an image"),
 				length + ": " + message);
@@ -174,7 +175,7 @@ class ImageMovieTest {
 
 	private static void assertRefused(final String sentence, final ImagePlus image,
 		final InputOptions options) {
-		final String message = assertThrows(IllegalArgumentException.class,
+		final String message = assertThrows(UserException.class,
 			() -> ImageMovie.of(image, options)).getMessage();
 		assertTrue(message.contains(sentence), message);
 	}

@@ -14,6 +14,8 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+import io.github.knotresolver.model.UserException;
+
 class BatchSheetTest {
 
 	private static final String HEADER = "FileName,FolderPath,segThresh,segIteration,segContract,segSmooth,requiresManual,IgnoreFrames,useLogP,logPk,logPs,InvertManual,manualCheck";
@@ -56,18 +58,18 @@ class BatchSheetTest {
 	void badRowIsRefusedAlone() throws IOException {
 		final List<BatchRow> rows = read(HEADER, "a.tif,.,1.5", "b.tif,.,0.5").rows();
 		assertEquals(2, rows.get(0).line());
-		assertTrue(assertThrows(IllegalArgumentException.class, rows.get(0)::options).getMessage()
+		assertTrue(assertThrows(UserException.class, rows.get(0)::options).getMessage()
 			.contains("threshold"));
 		rows.get(1).options();
 	}
 
 	@Test
 	void whatIsNoSheetIsRefused() throws IOException {
-		assertTrue(assertThrows(IllegalArgumentException.class, () -> read("name,folder", "a,b"))
+		assertTrue(assertThrows(UserException.class, () -> read("name,folder", "a,b"))
 			.getMessage().contains("FileName and FolderPath"));
-		assertTrue(assertThrows(IllegalArgumentException.class, () -> read()).getMessage()
+		assertTrue(assertThrows(UserException.class, () -> read()).getMessage()
 			.contains("FileName"));
-		assertThrows(IllegalArgumentException.class,
+		assertThrows(UserException.class,
 			() -> BatchSheet.read(home.resolve("absent.csv")));
 	}
 

@@ -24,6 +24,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.pipeline.Parameters;
 import io.github.knotresolver.pipeline.Region;
 
@@ -87,7 +88,7 @@ class OptionsTest {
 			assertEquals(
 				"region must be X,Y,WIDTH,HEIGHT in whole pixels, such as 10,0,120,80, but is '"
 					+ wrong + "'.",
-				assertThrows(IllegalArgumentException.class,
+				assertThrows(UserException.class,
 					() -> RunOptions.parse(Map.of("region", wrong))).getMessage());
 	}
 
@@ -118,13 +119,13 @@ class OptionsTest {
 		"threads|0|threads must be a whole number from 1 on, but is '0'."})
 	void refusalsNameKeyValueAndWhatWasExpected(final String key, final String text,
 		final String sentence) {
-		assertEquals(sentence, assertThrows(IllegalArgumentException.class,
+		assertEquals(sentence, assertThrows(UserException.class,
 			() -> RunOptions.parse(Map.of(key, text)).parameters(MOVIE)).getMessage());
 	}
 
 	@Test
 	void unknownKeysAreNamed() {
-		final String message = assertThrows(IllegalArgumentException.class,
+		final String message = assertThrows(UserException.class,
 			() -> RunOptions.parse(Map.of("treshold", "1"))).getMessage();
 		assertTrue(message.contains("'treshold'") && message.contains("threshold"), message);
 	}

@@ -26,6 +26,7 @@ import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.track.FrameStatus;
@@ -143,7 +144,7 @@ class ResultFilesTest {
 	void correctionsThatAreWrongAreRefusedWithTheirLine(final String text, final String sentence)
 		throws IOException {
 		final Path file = Files.writeString(home.resolve("c.csv"), text.replace(';', '\n'));
-		final String message = assertThrows(IllegalArgumentException.class,
+		final String message = assertThrows(UserException.class,
 			() -> ContoursCsv.read(file)).getMessage();
 		assertTrue(message.contains(sentence), message);
 	}

@@ -15,6 +15,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+import io.github.knotresolver.model.UserException;
+
 class ResultFolderTest {
 
 	@TempDir
@@ -103,7 +105,7 @@ class ResultFolderTest {
 	}
 
 	private static String refusal(final Path out, final boolean force) {
-		return assertThrows(IllegalArgumentException.class, () -> ResultFolder.prepare(out, force))
+		return assertThrows(UserException.class, () -> ResultFolder.prepare(out, force))
 			.getMessage();
 	}
 

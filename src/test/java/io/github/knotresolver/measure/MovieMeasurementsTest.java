@@ -19,6 +19,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 class MovieMeasurementsTest {
@@ -216,7 +217,7 @@ class MovieMeasurementsTest {
 
 	@Test
 	void rigidityInMicronsNeedsAnImageInMicrons() {
-		final String message = assertThrows(IllegalArgumentException.class,
+		final String message = assertThrows(UserException.class,
 			() -> MovieMeasurements.of("m", List.of(Optional.of(Curves.circle(30, 2, 0, 1))),
 				Calibration.NONE, Optional.empty(), Rigidity.ofFlexural(20), Progress.NONE))
 			.getMessage();
@@ -233,7 +234,7 @@ class MovieMeasurementsTest {
 	}
 
 	private static void assertSentence(final String part, final List<Optional<Polyline>> contours) {
-		final String message = assertThrows(IllegalArgumentException.class,
+		final String message = assertThrows(UserException.class,
 			() -> MovieMeasurements.of("m", contours, MICRONS)).getMessage();
 		assertTrue(message.contains(part) && message.endsWith("."), message);
 	}

@@ -18,6 +18,7 @@ import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.io.InputOptions;
 import io.github.knotresolver.io.RunOptions;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.track.FrameStatus;
 import io.github.knotresolver.track.TrackedFrame;
@@ -81,7 +82,7 @@ public final class BenchmarkMain {
 		final Parameters parameters = RunOptions.parse(options).parameters(movie);
 		try {
 			return new FilamentResolver(parameters).resolve(movie, Progress.NONE);
-		} catch (final IllegalArgumentException e) {
+		} catch (final UserException e) {
 			final List<TrackedFrame> none = IntStream.rangeClosed(1, movie.size())
 				.mapToObj(f -> TrackedFrame.without(f, FrameStatus.LOST, e.getMessage())).toList();
 			return new Resolution(movie, parameters, Optional.empty(), Double.NaN, Double.NaN, none,

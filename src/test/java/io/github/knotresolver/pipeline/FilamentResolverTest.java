@@ -28,6 +28,7 @@ import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.pipeline.Parameters.CandidateMethod;
 import io.github.knotresolver.pipeline.Parameters.LengthModel;
 import io.github.knotresolver.pipeline.Parameters.ResolverMethod;
@@ -170,7 +171,7 @@ class FilamentResolverTest {
 	@Test
 	void aMovieWithoutAnythingSaysSo() {
 		final Movie empty = new Movie("nothing", ArrayImgs.floats(50, 40, 6), Calibration.NONE);
-		final String message = assertThrows(IllegalArgumentException.class,
+		final String message = assertThrows(UserException.class,
 			() -> new FilamentResolver(Parameters.DEFAULT).resolve(empty, Progress.NONE))
 			.getMessage();
 		assertTrue(message.startsWith("No filament was found in 'nothing'"), message);
@@ -265,7 +266,7 @@ class FilamentResolverTest {
 
 	private static void assertMessage(final DrawnMovie drawn, final Parameters parameters,
 		final String part) {
-		final String message = assertThrows(IllegalArgumentException.class,
+		final String message = assertThrows(UserException.class,
 			() -> resolve(drawn, parameters)).getMessage();
 		assertTrue(message.contains(part), message);
 	}

@@ -12,6 +12,7 @@ import io.github.knotresolver.evaluate.CurveScore;
 import io.github.knotresolver.evaluate.SkeletonScore;
 import io.github.knotresolver.geometry.Crossings;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.pipeline.FilamentResolver;
 import io.github.knotresolver.pipeline.FrameSkeletons;
 import io.github.knotresolver.pipeline.Parameters;
@@ -81,7 +82,7 @@ final class Trial {
 	private List<TrackedFrame> frames(final Parameters parameters) {
 		try {
 			return new FilamentResolver(parameters).resolve(movie.movie(), Progress.NONE).frames();
-		} catch (final IllegalArgumentException e) {
+		} catch (final UserException e) {
 			System.err.println(method.label() + " on " + series + ": " + e.getMessage());
 			return IntStream.rangeClosed(1, movie.truth().size())
 				.mapToObj(f -> TrackedFrame.without(f, FrameStatus.LOST, e.getMessage())).toList();

@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 class RenderingTest {
@@ -165,7 +166,7 @@ class RenderingTest {
 		final Trajectory trajectory = new Trajectory(List.of(line(0, 0, 50, 50)), 1);
 		assertEquals(
 			"pixel_size 0.005 µm makes frames of 10001 x 10001 pixels, more than 40 million; choose larger pixels.",
-			assertThrows(IllegalArgumentException.class, () -> Canvas.around(trajectory, 0.005, 0))
+			assertThrows(UserException.class, () -> Canvas.around(trajectory, 0.005, 0))
 				.getMessage());
 	}
 }

@@ -12,6 +12,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
+import io.github.knotresolver.model.UserException;
+
 class SimulationParametersTest {
 
 	private static Arguments wrong(final Executable call, final String sentence) {
@@ -39,7 +41,7 @@ class SimulationParametersTest {
 	@ParameterizedTest(name = "{0}")
 	@MethodSource("wrongValues")
 	void aWrongValueIsOneSentence(final String sentence, final Executable call) {
-		assertEquals(sentence, assertThrows(IllegalArgumentException.class, call).getMessage());
+		assertEquals(sentence, assertThrows(UserException.class, call).getMessage());
 	}
 
 	@Test

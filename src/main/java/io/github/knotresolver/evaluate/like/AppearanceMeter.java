@@ -12,6 +12,7 @@ import org.apache.commons.math3.util.ResizableDoubleArray;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 /** Measures the picture of a filament whose contours are known. */
@@ -46,7 +47,7 @@ final class AppearanceMeter {
 	 * @param contours one entry a frame, in pixels
 	 * @param progress may cancel
 	 * @return what the movie looks like
-	 * @throws IllegalArgumentException if no bright line lies along the contours
+	 * @throws UserException if no bright line lies along the contours
 	 */
 	static Appearance of(final Movie movie, final List<Optional<Polyline>> contours,
 		final Progress progress) {
@@ -69,7 +70,7 @@ final class AppearanceMeter {
 		final double noise = median(s -> s.noise());
 		final double[] medians = across();
 		if (!(medians[0] > 0))
-			throw new IllegalArgumentException("Along the contours '" + movie.name()
+			throw new UserException("Along the contours '" + movie.name()
 				+ "' is not brighter than elsewhere; name the movie that the result was made from.");
 		final double width = width(medians);
 		final boolean saturating = range.clipped() || isSaturating(medians, width);

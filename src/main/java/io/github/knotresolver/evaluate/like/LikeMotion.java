@@ -1,5 +1,6 @@
 package io.github.knotresolver.evaluate.like;
 
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.simulate.Clamp;
 import io.github.knotresolver.simulate.FilamentProperties;
 import io.github.knotresolver.simulate.MediumProperties;
@@ -29,7 +30,7 @@ public record LikeMotion(double length, Clamp clamp, double density, double inte
 	 * @param frames number of frames
 	 * @param seed start of the random numbers
 	 * @return the simulation
-	 * @throws IllegalArgumentException if there can be no such simulation, in one
+	 * @throws UserException if there can be no such simulation, in one
 	 *           sentence
 	 */
 	SimulationParameters simulation(final int frames, final long seed) {

@@ -7,6 +7,7 @@ import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.pipeline.Parameters;
 
 /**
@@ -23,20 +24,20 @@ public record LikeSource(Movie movie, List<Optional<Polyline>> contours, Paramet
 	private static final int FEWEST_PAIRS = 2;
 
 	/**
-	 * @throws IllegalArgumentException if movie and contours do not belong
+	 * @throws UserException if movie and contours do not belong
 	 *           together, or tell too little, in one sentence
 	 */
 	public LikeSource {
 		contours = List.copyOf(contours);
 		if (contours.size() != movie.size())
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"movie '" + movie.name() + "' has " + movie.size() + " frames, but the result has "
 					+ contours.size() + "; name the movie that the result was made from.");
 		final List<Optional<Polyline>> all = contours;
 		if (IntStream.range(1, all.size())
 			.filter(t -> all.get(t - 1).isPresent() && all.get(t).isPresent())
 			.count() < FEWEST_PAIRS)
-			throw new IllegalArgumentException("like has contours in fewer than "
+			throw new UserException("like has contours in fewer than "
 				+ (FEWEST_PAIRS + 1)
 				+ " neighbouring frames, too few to see how the filament moves; resolve a longer part of the movie.");
 		micrometres(movie.calibration().unit());
@@ -63,7 +64,7 @@ public record LikeSource(Movie movie, List<Optional<Polyline>> contours, Paramet
 			case "µm" -> 1;
 			case "nm" -> 1e-3;
 			case "mm" -> 1e3;
-			default -> throw new IllegalArgumentException("like is a result in the unit '" + unit
+			default -> throw new UserException("like is a result in the unit '" + unit
 				+ "', but a simulation needs micrometres; resolve the movie again and tell its pixel size.");
 		};
 	}

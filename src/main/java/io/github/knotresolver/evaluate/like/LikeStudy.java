@@ -14,6 +14,7 @@ import io.github.knotresolver.evaluate.Evaluation;
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.pipeline.Parameters;
 import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.Progress;
@@ -51,7 +52,7 @@ public final class LikeStudy {
 		 * @param parameters what decides the result
 		 * @param progress may cancel
 		 * @return the result
-		 * @throws IllegalArgumentException if no filament is found
+		 * @throws UserException if no filament is found
 		 */
 		Resolution resolve(Movie movie, Parameters parameters, Progress progress);
 	}
@@ -68,7 +69,7 @@ public final class LikeStudy {
 	 * @param source the user's result
 	 * @param engine what resolves the simulated movies
 	 * @param progress may cancel
-	 * @throws IllegalArgumentException if the movie shows no line along the
+	 * @throws UserException if the movie shows no line along the
 	 *           contours, in one sentence
 	 */
 	public LikeStudy(final LikeSource source, final Engine engine, final Progress progress) {
@@ -83,11 +84,11 @@ public final class LikeStudy {
 
 	/**
 	 * @param movies how many, 1 to 1000
-	 * @throws IllegalArgumentException if it is another number, in one sentence
+	 * @throws UserException if it is another number, in one sentence
 	 */
 	public static void check(final int movies) {
 		if (movies < 1 || movies > MOST_MOVIES)
-			throw new IllegalArgumentException("movies must be a whole number from 1 to "
+			throw new UserException("movies must be a whole number from 1 to "
 				+ MOST_MOVIES + ", but is " + movies + ".");
 	}
 
@@ -172,7 +173,7 @@ public final class LikeStudy {
 				f.contour().ifPresent(contour -> found.put(f.frame(), contour));
 				confidence.add(f.confidence());
 			}
-		} catch (final IllegalArgumentException e) {
+		} catch (final UserException e) {
 			// A movie in which no filament is found is one without contours.
 			refusal = Optional.of(e.getMessage());
 			confidence.addAll(Collections.nCopies(truth.size(), Double.NaN));

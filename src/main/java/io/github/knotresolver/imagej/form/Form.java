@@ -9,6 +9,8 @@ import java.util.stream.Collectors;
 
 import org.scijava.plugin.Parameter;
 
+import io.github.knotresolver.model.UserException;
+
 /**
  * What a person or a macro fills in for a Command: its own parameters, in their
  * order.
@@ -52,7 +54,7 @@ public final class Form {
 	 * Fills in values; what is not named keeps its default.
 	 *
 	 * @param texts values by key
-	 * @throws IllegalArgumentException if there is no such key, or its value is not
+	 * @throws UserException if there is no such key, or its value is not
 	 *           allowed; in one sentence
 	 */
 	public void fill(final Map<String, String> texts) {
@@ -64,13 +66,13 @@ public final class Form {
 	 *
 	 * @param options what the macro says, such as
 	 *          {@code threshold=0.4 out=[/my folder] force}
-	 * @throws IllegalArgumentException likewise
+	 * @throws UserException likewise
 	 */
 	public void fill(final MacroOptions options) {
 		options.values().forEach((key, text) -> {
 			final FormField field = field(key);
 			if (text.isEmpty() && field.kind() != FieldKind.FLAG)
-				throw new IllegalArgumentException(key + " needs a value, such as " + key + "=["
+				throw new UserException(key + " needs a value, such as " + key + "=["
 					+ field.text() + "]; it must be " + field.allowed() + ".");
 			field.set(text.orElse("true"));
 		});
@@ -79,7 +81,7 @@ public final class Form {
 	/**
 	 * Checks all values, wherever they came from.
 	 *
-	 * @throws IllegalArgumentException if one is not allowed, in one sentence
+	 * @throws UserException if one is not allowed, in one sentence
 	 */
 	public void check() {
 		fields.forEach(FormField::check);
@@ -87,7 +89,7 @@ public final class Form {
 
 	private FormField field(final String key) {
 		return fields.stream().filter(f -> f.key().equals(key)).findFirst().orElseThrow(
-			() -> new IllegalArgumentException("There is no key '" + key + "'; the keys are "
+			() -> new UserException("There is no key '" + key + "'; the keys are "
 				+ fields.stream().map(FormField::key).collect(Collectors.joining(", ")) + "."));
 	}
 }

@@ -14,6 +14,8 @@ import ij.ImagePlus;
 import ij.WindowManager;
 import ij.gui.GenericDialog;
 
+import io.github.knotresolver.model.UserException;
+
 /**
  * A form as an ImageJ dialog. Values are read from the dialog's components and
  * not by {@code getNext...()}, which would record keys of its own and would not
@@ -57,7 +59,7 @@ public final class FormDialog {
 			try {
 				form.fill(typed);
 				return true;
-			} catch (final IllegalArgumentException e) {
+			} catch (final UserException e) {
 				IJ.showMessage(title, e.getMessage());
 				texts = typed;
 			}

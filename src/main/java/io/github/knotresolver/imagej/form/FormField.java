@@ -11,6 +11,7 @@ import org.scijava.plugin.Parameter;
 import ij.ImagePlus;
 import ij.WindowManager;
 import io.github.knotresolver.io.OptionText;
+import io.github.knotresolver.model.UserException;
 
 /**
  * One {@code @Parameter} of a Command. Its key in macros is the name of the
@@ -91,7 +92,7 @@ public final class FormField {
 
 	/**
 	 * @param text what was typed; blank for none, where none is a value
-	 * @throws IllegalArgumentException if it is not allowed; one sentence that
+	 * @throws UserException if it is not allowed; one sentence that
 	 *           names key, value and what is
 	 */
 	public void set(final String text) {
@@ -127,7 +128,7 @@ public final class FormField {
 		final double value;
 		try {
 			value = OptionText.number(key(), text);
-		} catch (final IllegalArgumentException e) {
+		} catch (final UserException e) {
 			throw refusal(text);
 		}
 		if (!isInRange(value))
@@ -164,7 +165,7 @@ public final class FormField {
 	/**
 	 * Checks a value that did not come from text.
 	 *
-	 * @throws IllegalArgumentException if it is not allowed, as for
+	 * @throws UserException if it is not allowed, as for
 	 *           {@link #set(String)}
 	 */
 	void check() {
@@ -183,7 +184,7 @@ public final class FormField {
 		}
 	}
 
-	private IllegalArgumentException refusal(final String text) {
+	private UserException refusal(final String text) {
 		return OptionText.refusal(key(), allowed(), text);
 	}
 }

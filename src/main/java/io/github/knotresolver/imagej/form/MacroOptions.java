@@ -7,6 +7,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 
+import io.github.knotresolver.model.UserException;
+
 /**
  * The options of a macro's {@code run("...", options)}, read strictly: every
  * word is a key, {@code key=value}, {@code key=[a value with spaces]} or
@@ -27,7 +29,7 @@ public record MacroOptions(Map<String, Optional<String>> values) {
 	 * @param variable gives the value of a macro's variable, or null if there is
 	 *          none
 	 * @return the options
-	 * @throws IllegalArgumentException if they cannot be read, or a key comes
+	 * @throws UserException if they cannot be read, or a key comes
 	 *           twice; in one sentence
 	 */
 	public static MacroOptions parse(final String options, final UnaryOperator<String> variable) {
@@ -56,7 +58,7 @@ public record MacroOptions(Map<String, Optional<String>> values) {
 					? Optional.of(resolved(key, value(key)))
 					: Optional.empty();
 				if (values.put(key, value) != null)
-					throw new IllegalArgumentException(
+					throw new UserException(
 						"The key '" + key + "' is there twice; name it once.");
 			}
 			return values;
@@ -97,7 +99,7 @@ public record MacroOptions(Map<String, Optional<String>> values) {
 				else if (text.charAt(i) == ']' && --depth == 0)
 					return i;
 			}
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"The value of " + key + " has no closing ']'; add it.");
 		}
 
@@ -110,7 +112,7 @@ public record MacroOptions(Map<String, Optional<String>> values) {
 				return value;
 			final String found = variable.apply(value.substring(1));
 			if (found == null)
-				throw new IllegalArgumentException(key + " is " + value
+				throw new UserException(key + " is " + value
 					+ ", but the macro has no variable of that name; define it before.");
 			return found;
 		}

@@ -7,6 +7,8 @@ import java.nio.file.Path;
 import ij.ImagePlus;
 import ij.plugin.filter.AVI_Writer;
 
+import io.github.knotresolver.model.UserException;
+
 /** An overlay stack as a film that any player and slide show takes. */
 public final class AnimatedOverlay {
 
@@ -19,13 +21,13 @@ public final class AnimatedOverlay {
 	 * @param file the AVI file (JPEG frames) to write; replaced if it is there
 	 * @param overlay an RGB stack
 	 * @param framesPerSecond above 0 to 60
-	 * @throws IllegalArgumentException if the speed is out of range
+	 * @throws UserException if the speed is out of range
 	 * @throws IOException if the disk says no
 	 */
 	public static void write(final Path file, final ImagePlus overlay, final double framesPerSecond)
 		throws IOException {
 		if (!(framesPerSecond > 0 && framesPerSecond <= 60))
-			throw new IllegalArgumentException(
+			throw new UserException(
 				"The speed must be above 0 and at most 60 frames per second, but is "
 					+ framesPerSecond + ".");
 		final ImagePlus film = overlay.duplicate();

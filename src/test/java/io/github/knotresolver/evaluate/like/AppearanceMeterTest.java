@@ -16,6 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.simulate.BitDepth;
 import io.github.knotresolver.simulate.Canvas;
@@ -109,7 +110,7 @@ class AppearanceMeterTest {
 		final List<Optional<Polyline>> elsewhere = movie.truth().stream()
 			.map(c -> Optional.of(Polyline.of(new double[]{2, 9}, new double[]{2, 2}))).toList();
 		final Movie named = new Movie("m.tif", movie.movie().frames(), Calibration.NONE);
-		final String message = assertThrows(IllegalArgumentException.class,
+		final String message = assertThrows(UserException.class,
 			() -> AppearanceMeter.of(named, elsewhere, Progress.NONE)).getMessage();
 		assertTrue(message.startsWith("Along the contours 'm.tif' is not brighter"), message);
 	}

@@ -26,6 +26,7 @@ import io.github.knotresolver.CancelledProgress;
 import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.pipeline.Parameters;
 import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.CancelledException;
@@ -157,7 +158,7 @@ class LikeStudyTest {
 	@Test
 	void aMovieInWhichNothingIsFoundCountsAsNotResolved() {
 		final LikeStudy study = new LikeStudy(source(user, 2), (m, p, progress) -> {
-			throw new IllegalArgumentException("No filament was found.");
+			throw new UserException("No filament was found.");
 		}, Progress.NONE);
 		final LikeResult none = study.run(MOTION, 1, 1, Progress.NONE);
 		assertEquals(0, none.resolved().percent());
@@ -204,12 +205,12 @@ class LikeStudyTest {
 			new Movie("m", user.movie().frames(), Calibration.NONE),
 			user.truth().stream().map(Optional::of).toList());
 		assertEquals("movies must be a whole number from 1 to 1000, but is 0.",
-			assertThrows(IllegalArgumentException.class, () -> LikeStudy.check(0)).getMessage());
+			assertThrows(UserException.class, () -> LikeStudy.check(0)).getMessage());
 	}
 
 	private static void assertRefused(final String start, final Movie movie,
 		final List<Optional<Polyline>> contours) {
-		final String message = assertThrows(IllegalArgumentException.class,
+		final String message = assertThrows(UserException.class,
 			() -> new LikeSource(movie, contours, Parameters.DEFAULT)).getMessage();
 		assertTrue(message.startsWith(start), message);
 	}

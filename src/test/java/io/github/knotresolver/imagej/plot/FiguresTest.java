@@ -39,6 +39,7 @@ import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.measure.Quantity;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 
@@ -187,7 +188,7 @@ class FiguresTest {
 		final Path file = folder.resolve("overlay.avi");
 		AnimatedOverlay.write(file, new ImagePlus("overlay", stack), 10);
 		assertEquals(5, IJ.openImage(file.toString()).getStackSize());
-		assertThrows(IllegalArgumentException.class,
+		assertThrows(UserException.class,
 			() -> AnimatedOverlay.write(file, new ImagePlus("overlay", stack), 0));
 	}
 

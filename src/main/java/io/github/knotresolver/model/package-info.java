@@ -1,0 +1,4 @@
+/**
+ * The vocabulary that all rooms share.
+ */
+package io.github.knotresolver.model;
