@@ -6,17 +6,18 @@ import java.nio.file.Path;
 import java.util.concurrent.Callable;
 
 import ij.ImagePlus;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.imagej.ResultWriter;
 import io.github.knotresolver.imagej.RoiConverter;
 import io.github.knotresolver.imagej.SampleMovie;
-import io.github.knotresolver.io.MeasuredResolution;
+import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.io.RunReport;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine.Command;
@@ -70,7 +71,7 @@ final class ResolveSubcommand implements Callable<Integer> {
 		final RunOptions run;
 		final ImagePlus image;
 		final Movie input;
-		final io.github.knotresolver.pipeline.Parameters parameters;
+		final Settings parameters;
 		try {
 			run = RunOptions.parse(ResolveOptions.given(spec));
 			ResultFolder.check(out, force);
@@ -80,8 +81,8 @@ final class ResolveSubcommand implements Callable<Integer> {
 		} catch (final UserException e) {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
 		}
-		final MeasuredResolution result = MeasuredResolution
-			.of(engine.within(run.input().region()).resolve(input, parameters, progress), progress);
+		final MeasuredTracks result = MeasuredTracks
+			.of(engine.resolve(input, parameters, progress), progress);
 		final RoiConverter rois = RoiConverter.forImage(image, run.input().channel());
 		new ResultWriter(result, run.input(), rois, ImageFile.of(image)).write(out, force, plots,
 			progress);

@@ -9,8 +9,8 @@ import java.util.Optional;
 import ij.ImagePlus;
 import ij.gui.GenericDialog;
 import ij.gui.YesNoCancelDialog;
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.imagej.ImageCalibration;
+import io.github.knotresolver.model.Calibration;
 
 /** What a person is asked about an image that does not tell enough to be a movie. */
 final class MovieQuestions {

@@ -20,7 +20,6 @@ import ij.ImagePlus;
 import ij.WindowManager;
 import ij.plugin.frame.RoiManager;
 import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.imagej.ContourTables;
 import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.imagej.ImageFile;
@@ -30,16 +29,17 @@ import io.github.knotresolver.imagej.ResultWriter;
 import io.github.knotresolver.imagej.RoiConverter;
 import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.io.InputOptions;
-import io.github.knotresolver.io.MeasuredResolution;
+import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.ParametersJson;
 import io.github.knotresolver.io.ProgramVersion;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.io.RunReport;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Region;
+import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.pipeline.Parameters;
-import io.github.knotresolver.pipeline.Region;
-import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -154,7 +154,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 	private boolean tables = true;
 
 	@Parameter(type = ItemIO.OUTPUT)
-	private Resolution resolution;
+	private Tracks resolution;
 
 	private Engine engine = Engine.PIPELINE;
 
@@ -189,19 +189,19 @@ public class ResolveFilamentCommand extends KnotCommand {
 		final ImagePlus input = input();
 		final RunOptions options = RunOptions.parse(texts(input));
 		final Movie series = ImageMovie.of(input, options.input());
-		final Parameters parameters = options.parameters(series);
+		final Settings parameters = options.parameters(series);
 		// The image may be closed meanwhile.
 		final RoiConverter rois = RoiConverter.forImage(input, channel);
 		final Optional<Path> file = ImageFile.of(input);
-		final MeasuredResolution result = MeasuredResolution.of(
-			engine.within(options.input().region()).resolve(series, parameters, progress),
+		final MeasuredTracks result = MeasuredTracks.of(
+			engine.resolve(series, parameters, progress),
 			progress);
 		if (out != null)
 			new ResultWriter(result, options.input(), rois, file).write(out.toPath(), force, plots,
 				progress);
 		progress.checkCancelled();
 		show(input, result, rois);
-		resolution = result.resolution();
+		resolution = result.tracks();
 		report(result, options.input(), System.nanoTime() - start);
 	}
 
@@ -230,9 +230,9 @@ public class ResolveFilamentCommand extends KnotCommand {
 	}
 
 	/** An image that was hidden stays hidden; one that was opened here is shown. */
-	private void show(final ImagePlus input, final MeasuredResolution result,
+	private void show(final ImagePlus input, final MeasuredTracks result,
 		final RoiConverter rois) {
-		final ResultDisplay display = new ResultDisplay(input, result.resolution(), rois);
+		final ResultDisplay display = new ResultDisplay(input, result.tracks(), rois);
 		if (overlay)
 			display.overlay();
 		final boolean visible = !GraphicsEnvironment.isHeadless();
@@ -250,10 +250,10 @@ public class ResolveFilamentCommand extends KnotCommand {
 		return present == null ? RoiManager.getRoiManager() : present;
 	}
 
-	private void report(final MeasuredResolution result, final InputOptions input,
+	private void report(final MeasuredTracks result, final InputOptions input,
 		final long nanos) {
 		say(ProgramVersion.NAME + " " + ProgramVersion.get() + ": "
-			+ ParametersJson.line(result.resolution(), input));
+			+ ParametersJson.line(result.tracks(), input));
 		RunReport.lines(result).forEach(this::say);
 		RunReport.reasons(result).forEach(this::say);
 		say(String.format(Locale.ROOT, "Time: %.1f s.", nanos / 1e9));

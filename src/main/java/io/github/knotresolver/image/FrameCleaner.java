@@ -6,6 +6,8 @@ import net.imglib2.img.Img;
 import net.imglib2.type.numeric.RealType;
 import net.imglib2.type.numeric.real.FloatType;
 
+import io.github.knotresolver.model.Cleaning;
+
 /**
  * Cleans frames: stretch, median and, if wanted, Laplacian of Gaussian. Has no
  * state, so frames can be cleaned in parallel.

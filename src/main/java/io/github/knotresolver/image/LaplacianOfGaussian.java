@@ -5,6 +5,8 @@ import net.imglib2.RandomAccessibleInterval;
 import net.imglib2.img.Img;
 import net.imglib2.type.numeric.real.FloatType;
 
+import io.github.knotresolver.model.Cleaning;
+
 /** Brings out bright lines on an uneven background. */
 public final class LaplacianOfGaussian {
 

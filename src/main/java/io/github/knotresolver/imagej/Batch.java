@@ -12,14 +12,14 @@ import java.util.TreeMap;
 import java.util.function.Consumer;
 
 import ij.ImagePlus;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.io.BatchOutcome;
 import io.github.knotresolver.io.BatchOutcome.Status;
 import io.github.knotresolver.io.BatchRow;
-import io.github.knotresolver.io.MeasuredResolution;
+import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.io.RunReport;
+import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
@@ -95,7 +95,7 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 			return new BatchOutcome(row, Status.SKIPPED, folder,
 				"There is a result already; add force to do it again.");
 		try {
-			final MeasuredResolution result = result(row, folder, progress);
+			final MeasuredTracks result = result(row, folder, progress);
 			final List<String> words = new ArrayList<>(row.notes());
 			words.add(0, RunReport.lines(result).get(0));
 			return new BatchOutcome(row, Status.FINISHED, folder, String.join(" ", words));
@@ -115,7 +115,7 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 		}
 	}
 
-	private MeasuredResolution result(final BatchRow row, final Path folder,
+	private MeasuredTracks result(final BatchRow row, final Path folder,
 		final Progress progress) throws IOException {
 		final Map<String, String> texts = new TreeMap<>(defaults);
 		texts.putAll(row.texts());
@@ -123,8 +123,7 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 		ResultFolder.check(folder, overwrite);
 		final ImagePlus image = ImageFile.open(row.movie());
 		final Movie movie = ImageMovie.of(image, options.input());
-		final MeasuredResolution result = MeasuredResolution.of(engine
-			.within(options.input().region()).resolve(movie, options.parameters(movie), progress),
+		final MeasuredTracks result = MeasuredTracks.of(engine.resolve(movie, options.parameters(movie), progress),
 			progress);
 		final RoiConverter rois = RoiConverter.forImage(image, options.input().channel());
 		new ResultWriter(result, options.input(), rois, ImageFile.of(image)).write(folder,

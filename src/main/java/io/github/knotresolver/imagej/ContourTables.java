@@ -7,12 +7,12 @@ import java.util.function.IntToDoubleFunction;
 
 import ij.measure.ResultsTable;
 import ij.plugin.filter.Analyzer;
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.io.MeasuredFrame;
-import io.github.knotresolver.io.MeasuredResolution;
+import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.measure.Quantity;
-import io.github.knotresolver.track.TrackedFrame;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.Observation;
 
 /**
  * A result as ImageJ's tables {@code <image>-contours} and
@@ -39,7 +39,7 @@ public final class ContourTables {
 	 * @param image the image's title; tables are named after it
 	 * @param result a measured result
 	 */
-	public ContourTables(final String image, final MeasuredResolution result) {
+	public ContourTables(final String image, final MeasuredTracks result) {
 		this.image = image;
 		this.frames = result.frames();
 		this.calibration = result.calibration();
@@ -101,7 +101,7 @@ public final class ContourTables {
 		table.setNaNEmptyCells(true);
 		final String length = unit(calibration.unit());
 		for (final MeasuredFrame frame : frames) {
-			final TrackedFrame tracked = frame.tracked();
+			final Observation tracked = frame.tracked();
 			table.addRow();
 			table.addValue("frame", tracked.frame());
 			table.addValue("time" + unit(calibration.timeUnit()),

@@ -6,7 +6,7 @@ import net.imglib2.Cursor;
 import net.imglib2.type.numeric.RealType;
 import net.imglib2.view.Views;
 
-import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.Movie;
 
 /**
  * The intensities shown as black and as white, the same for all frames of a

@@ -2,8 +2,8 @@
 package io.github.knotresolver.imagej;
 
 import ij.ImagePlus;
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.io.UnitText;
+import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 
 /**

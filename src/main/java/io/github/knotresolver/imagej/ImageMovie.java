@@ -18,8 +18,8 @@ import net.imglib2.util.Fraction;
 import ij.ImagePlus;
 import ij.ImageStack;
 import ij.process.ImageProcessor;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.io.InputOptions;
+import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
 
 /**

@@ -4,8 +4,8 @@ import java.nio.file.Path;
 
 import io.github.knotresolver.evaluate.like.LikeSource;
 import io.github.knotresolver.evaluate.like.LikeStudy;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.io.ResolvedRun;
+import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 

@@ -4,8 +4,8 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 
-import io.github.knotresolver.pipeline.Resolution;
-import io.github.knotresolver.track.TrackedFrame;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Tracks;
 
 /**
  * All frames of a result in one picture to judge at a glance: each frame with
@@ -25,34 +25,34 @@ public final class Montage {
 	}
 
 	/**
-	 * @param resolution a result
+	 * @param tracks a result
 	 * @return the picture, at most {@value #WIDTH} pixels wide
 	 */
-	public static BufferedImage of(final Resolution resolution) {
-		final int[] chosen = chosen(resolution.movie().size());
+	public static BufferedImage of(final Tracks tracks) {
+		final int[] chosen = chosen(tracks.movie().size());
 		final int columns = columns(chosen.length);
 		final int rows = (chosen.length + columns - 1) / columns;
-		final Viewport part = Viewport.aroundContours(resolution);
+		final Viewport part = Viewport.aroundContours(tracks);
 		final double room = (double) WIDTH / columns - GAP - 2 * BORDER;
 		final Viewport view = part.scaled(Math.min(LARGEST_SCALE, room / part.width()));
 		final int cellWidth = view.screenWidth() + 2 * BORDER + GAP,
 			cellHeight = view.screenHeight() + 2 * BORDER + GAP;
 		final BufferedImage montage = new BufferedImage(columns * cellWidth, rows * cellHeight,
 			BufferedImage.TYPE_INT_RGB);
-		final FramePainter painter = new FramePainter(Contrast.of(resolution.movie(), BRIGHTEST),
+		final FramePainter painter = new FramePainter(Contrast.of(tracks.movie(), BRIGHTEST),
 			view);
 		final Graphics2D g = montage.createGraphics();
 		for (int i = 0; i < chosen.length; i++)
-			drawCell(g, resolution, chosen[i], painter, i % columns * cellWidth,
+			drawCell(g, tracks, chosen[i], painter, i % columns * cellWidth,
 				i / columns * cellHeight);
 		g.dispose();
 		return montage;
 	}
 
-	private static void drawCell(final Graphics2D g, final Resolution resolution, final int index,
+	private static void drawCell(final Graphics2D g, final Tracks tracks, final int index,
 		final FramePainter painter, final int left, final int top) {
-		final TrackedFrame frame = resolution.frames().get(index);
-		final BufferedImage picture = painter.paint(resolution.movie().frame(index));
+		final Observation frame = tracks.only().frames().get(index);
+		final BufferedImage picture = painter.paint(tracks.movie().frame(index));
 		frame.contour().ifPresent(c -> {
 			painter.draw(picture, c, LINE, 1);
 			painter.mark(picture, c.first(), RING);

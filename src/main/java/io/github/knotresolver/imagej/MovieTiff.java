@@ -18,8 +18,8 @@ import ij.io.TiffEncoder;
 import ij.process.ByteProcessor;
 import ij.process.ImageProcessor;
 import ij.process.ShortProcessor;
-import io.github.knotresolver.geometry.Calibration;
-import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.Movie;
 
 /** Writes a movie of 8 or 16 bit as a TIFF stack with its calibration. */
 public final class MovieTiff {

@@ -13,10 +13,10 @@ import net.imglib2.type.numeric.real.DoubleType;
 import ij.ImagePlus;
 import ij.ImageStack;
 import ij.process.ColorProcessor;
-import io.github.knotresolver.geometry.Calibration;
-import io.github.knotresolver.image.Movie;
-import io.github.knotresolver.pipeline.Resolution;
-import io.github.knotresolver.track.TrackedFrame;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Tracks;
 
 /**
  * The movie with its contours drawn in: frame by frame as an RGB stack, and all
@@ -33,17 +33,17 @@ public final class OverlayRenderer {
 	}
 
 	/**
-	 * @param resolution a result
+	 * @param tracks a result
 	 * @return an RGB stack of all frames, calibrated; images below 320 pixels at
 	 *         twice their size
 	 */
-	public static ImagePlus stack(final Resolution resolution) {
-		final Movie movie = resolution.movie();
+	public static ImagePlus stack(final Tracks tracks) {
+		final Movie movie = tracks.movie();
 		final int scale = Math.max(movie.width(), movie.height()) < SMALL ? 2 : 1;
 		final FramePainter painter = new FramePainter(Contrast.of(movie, BRIGHTEST),
 			Viewport.whole(movie, scale));
 		final ImageStack stack = new ImageStack(movie.width() * scale, movie.height() * scale);
-		for (final TrackedFrame frame : resolution.frames()) {
+		for (final Observation frame : tracks.only().frames()) {
 			final BufferedImage picture = painter.paint(movie.frame(frame.frame() - 1));
 			frame.contour().ifPresent(c -> {
 				painter.draw(picture, c, LINE, 1);
@@ -58,20 +58,20 @@ public final class OverlayRenderer {
 	}
 
 	/**
-	 * @param resolution a result
+	 * @param tracks a result
 	 * @return all contours over the brightest intensity of each pixel
 	 */
-	public static BufferedImage projection(final Resolution resolution) {
-		final Movie movie = resolution.movie();
-		final Viewport part = Viewport.aroundContours(resolution);
+	public static BufferedImage projection(final Tracks tracks) {
+		final Movie movie = tracks.movie();
+		final Viewport part = Viewport.aroundContours(tracks);
 		final double scale = Math.min(LARGEST_SCALE,
 			(double) PICTURE / Math.max(part.width(), part.height()));
 		final FramePainter painter = new FramePainter(Contrast.of(movie, BACKDROP),
 			part.scaled(scale));
 		final BufferedImage picture = painter.paint(brightest(movie));
-		for (final TrackedFrame frame : resolution.frames())
+		for (final Observation frame : tracks.only().frames())
 			frame.contour().ifPresent(c -> painter.draw(picture, c, LINE, FAINT));
-		resolution.fixedEnd().ifPresent(end -> painter.mark(picture, end, 2 * RING));
+		tracks.only().fixedEnd().ifPresent(end -> painter.mark(picture, end, 2 * RING));
 		return picture;
 	}
 

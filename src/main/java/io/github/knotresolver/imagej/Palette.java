@@ -2,7 +2,7 @@ package io.github.knotresolver.imagej;
 
 import java.awt.Color;
 
-import io.github.knotresolver.track.FrameStatus;
+import io.github.knotresolver.model.FrameStatus;
 
 /**
  * Colours that people with any colour vision tell apart: a ramp of rising
@@ -45,6 +45,7 @@ final class Palette {
 			case CORRECTED -> new Color(0x00, 0x72, 0xb2);
 			case UNRESOLVED -> new Color(0xe6, 0x9f, 0x00);
 			case LOST -> new Color(0xd5, 0x5e, 0x00);
+			case ABSENT -> new Color(0xb0, 0xb0, 0xb0);
 			case IGNORED -> new Color(0x80, 0x80, 0x80);
 		};
 	}

@@ -11,8 +11,8 @@ import ij.gui.Overlay;
 import ij.gui.Roi;
 import ij.plugin.frame.RoiManager;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.pipeline.Resolution;
-import io.github.knotresolver.track.TrackedFrame;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Tracks;
 
 /** Shows a result in ImageJ. The pixels of the image stay as they are. */
 public final class ResultDisplay {
@@ -24,18 +24,18 @@ public final class ResultDisplay {
 	private static final String OF_IMAGE = "knotresolver.image";
 
 	private final ImagePlus image;
-	private final Resolution resolution;
+	private final Tracks tracks;
 	private final RoiConverter converter;
 
 	/**
 	 * @param image the image that was resolved
-	 * @param resolution the result
+	 * @param tracks the result
 	 * @param rois makes ROIs for this image
 	 */
-	public ResultDisplay(final ImagePlus image, final Resolution resolution,
+	public ResultDisplay(final ImagePlus image, final Tracks tracks,
 		final RoiConverter rois) {
 		this.image = image;
-		this.resolution = resolution;
+		this.tracks = tracks;
 		this.converter = rois;
 	}
 
@@ -60,7 +60,7 @@ public final class ResultDisplay {
 
 	private List<Roi> rois() {
 		final List<Roi> rois = new ArrayList<>();
-		for (final TrackedFrame frame : resolution.frames()) {
+		for (final Observation frame : tracks.only().frames()) {
 			if (frame.contour().isEmpty())
 				continue;
 			final Roi roi = converter.roi(frame.contour().get(), frame.frame());
@@ -103,7 +103,7 @@ public final class ResultDisplay {
 			for (final Roi roi : image.getOverlay())
 				if (roi.getName() == null || !roi.getName().startsWith(RoiConverter.PREFIX))
 					overlay.add(roi);
-		for (final TrackedFrame frame : resolution.frames())
+		for (final Observation frame : tracks.only().frames())
 			frame.contour().ifPresent(c -> pieces(c, frame.frame()).forEach(overlay::add));
 		image.setOverlay(overlay);
 	}

@@ -12,14 +12,14 @@ import io.github.knotresolver.imagej.plot.Figures;
 import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.FramesCsv;
 import io.github.knotresolver.io.InputOptions;
-import io.github.knotresolver.io.MeasuredResolution;
+import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.OriginalFiles;
 import io.github.knotresolver.io.ParametersJson;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.SummaryCsv;
 import io.github.knotresolver.measure.MovieMeasurements;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.Progress;
 
 /** Writes all files of a result. */
@@ -28,8 +28,8 @@ public final class ResultWriter {
 	/** Speed of the film. */
 	private static final double FRAMES_PER_SECOND = 8;
 
-	private final MeasuredResolution result;
-	private final Resolution resolution;
+	private final MeasuredTracks result;
+	private final Tracks tracks;
 	private final InputOptions input;
 	private final RoiConverter rois;
 	private final Optional<Path> file;
@@ -40,10 +40,10 @@ public final class ResultWriter {
 	 * @param rois makes ROIs for that image
 	 * @param file the image's file; empty if it has none
 	 */
-	public ResultWriter(final MeasuredResolution result, final InputOptions input,
+	public ResultWriter(final MeasuredTracks result, final InputOptions input,
 		final RoiConverter rois, final Optional<Path> file) {
 		this.result = result;
-		this.resolution = result.resolution();
+		this.tracks = result.tracks();
 		this.input = input;
 		this.rois = rois;
 		this.file = file;
@@ -67,7 +67,7 @@ public final class ResultWriter {
 			progress.report("Writing tables", 0);
 			writeTables(folder.path());
 			progress.checkCancelled();
-			RoiSetWriter.write(folder.path().resolve(RoiSetWriter.FILE), rois.rois(resolution));
+			RoiSetWriter.write(folder.path().resolve(RoiSetWriter.FILE), rois.rois(tracks));
 			progress.report("Drawing", 0);
 			writePictures(folder.path(), plots, progress);
 			progress.checkCancelled();
@@ -79,7 +79,7 @@ public final class ResultWriter {
 		ContoursCsv.write(folder.resolve(ContoursCsv.FILE), result);
 		FramesCsv.write(folder.resolve(FramesCsv.FILE), result);
 		SummaryCsv.write(folder.resolve(SummaryCsv.FILE), result, input);
-		ParametersJson.write(folder.resolve(ParametersJson.FILE), resolution, input, file);
+		ParametersJson.write(folder.resolve(ParametersJson.FILE), tracks, input, file);
 		OriginalFiles.writeContours(folder.resolve(OriginalFiles.CONTOURS), result);
 		OriginalFiles.writeStatistics(folder.resolve(OriginalFiles.STATISTICS), result);
 	}
@@ -92,15 +92,15 @@ public final class ResultWriter {
 
 	private void writeOverlay(final Path folder, final boolean plots, final Progress progress)
 		throws IOException {
-		final ImagePlus overlay = OverlayRenderer.stack(resolution);
+		final ImagePlus overlay = OverlayRenderer.stack(tracks);
 		Files.write(folder.resolve("overlay.tif"), new FileSaver(overlay).serialize());
 		if (plots)
 			AnimatedOverlay.write(folder.resolve("overlay.avi"), overlay, FRAMES_PER_SECOND);
 		progress.checkCancelled();
-		PngFile.write(folder.resolve("montage.png"), Montage.of(resolution));
+		PngFile.write(folder.resolve("montage.png"), Montage.of(tracks));
 		progress.checkCancelled();
 		if (plots)
-			PngFile.write(folder.resolve("overlay.png"), OverlayRenderer.projection(resolution));
+			PngFile.write(folder.resolve("overlay.png"), OverlayRenderer.projection(tracks));
 	}
 
 	private void writeFigures(final Path folder, final boolean plots, final Progress progress)

@@ -10,9 +10,9 @@ import ij.ImagePlus;
 import ij.gui.Roi;
 import ij.plugin.frame.RoiManager;
 import ij.process.FloatPolygon;
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.io.ContourInput;
+import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 
 /** The polylines of the ROI Manager as contours, each of the frame it stands on. */

@@ -11,9 +11,9 @@ import ij.gui.PolygonRoi;
 import ij.gui.Roi;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Region;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.pipeline.Region;
-import io.github.knotresolver.pipeline.Resolution;
 
 /**
  * Contours to ROIs and back. ImageJ puts the centre of the first pixel at 0.5;
@@ -67,12 +67,12 @@ public final class RoiConverter {
 	}
 
 	/**
-	 * @param resolution a result
+	 * @param tracks a result
 	 * @return one sub-pixel polyline for every frame that has a contour, in
 	 *         order, with name and position
 	 */
-	public List<Roi> rois(final Resolution resolution) {
-		return resolution.frames().stream().filter(f -> f.contour().isPresent())
+	public List<Roi> rois(final Tracks tracks) {
+		return tracks.only().frames().stream().filter(f -> f.contour().isPresent())
 			.map(f -> roi(f.contour().orElseThrow(), f.frame())).toList();
 	}
 

@@ -5,8 +5,8 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.model.Movie;
 
 /**
  * Two movies in one picture, a row each, in the same grey values and at the same

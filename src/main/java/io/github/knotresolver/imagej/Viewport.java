@@ -1,7 +1,7 @@
 package io.github.knotresolver.imagej;
 
-import io.github.knotresolver.image.Movie;
-import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Tracks;
 
 /**
  * A part of the image and how large it is shown.
@@ -26,10 +26,10 @@ record Viewport(int x, int y, int width, int height, double scale) {
 	 * The part of the image where the contours of all frames are; the whole image
 	 * if there are none.
 	 */
-	static Viewport aroundContours(final Resolution resolution) {
-		final Movie movie = resolution.movie();
+	static Viewport aroundContours(final Tracks tracks) {
+		final Movie movie = tracks.movie();
 		int left = movie.width(), top = movie.height(), right = -1, bottom = -1;
-		for (final var frame : resolution.frames()) {
+		for (final var frame : tracks.only().frames()) {
 			if (frame.contour().isEmpty())
 				continue;
 			final var contour = frame.contour().get();

@@ -21,9 +21,9 @@ import com.google.gson.JsonParser;
 
 import org.apache.commons.csv.CSVRecord;
 
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 
 /**

@@ -15,9 +15,9 @@ import java.util.TreeMap;
 import org.apache.commons.csv.CSVPrinter;
 import org.apache.commons.csv.CSVRecord;
 
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 
 /**
@@ -43,7 +43,7 @@ public final class ContoursCsv {
 	 * @param result a measured result
 	 * @throws IOException if the disk says no
 	 */
-	public static void write(final Path file, final MeasuredResolution result) throws IOException {
+	public static void write(final Path file, final MeasuredTracks result) throws IOException {
 		try (CSVPrinter csv = CsvFile.create(file, HEADER)) {
 			for (final MeasuredFrame frame : result.frames())
 				if (frame.tracked().contour().isPresent())

@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import org.apache.commons.csv.CSVPrinter;
 
 import io.github.knotresolver.measure.Quantity;
-import io.github.knotresolver.track.TrackedFrame;
+import io.github.knotresolver.model.Observation;
 
 /**
  * {@code frames.csv}: one row for every frame of the movie. {@code length} and
@@ -30,10 +30,10 @@ public final class FramesCsv {
 	 * @param result a measured result
 	 * @throws IOException if the disk says no
 	 */
-	public static void write(final Path file, final MeasuredResolution result) throws IOException {
+	public static void write(final Path file, final MeasuredTracks result) throws IOException {
 		try (CSVPrinter csv = CsvFile.create(file, HEADER)) {
 			for (final MeasuredFrame frame : result.frames()) {
-				final TrackedFrame tracked = frame.tracked();
+				final Observation tracked = frame.tracked();
 				csv.printRecord(tracked.frame(), tracked.status().label(), tracked.reason(),
 					text(frame, Quantity.LENGTH), text(frame, Quantity.END_TO_END),
 					text(frame, Quantity.TIP_ANGLE), tracked.junctions(), tracked.crossings(),

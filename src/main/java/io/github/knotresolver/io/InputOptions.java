@@ -3,8 +3,7 @@ package io.github.knotresolver.io;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
-import io.github.knotresolver.geometry.Calibration;
-import io.github.knotresolver.pipeline.Region;
+import io.github.knotresolver.model.Calibration;
 
 /**
  * How a movie is taken from an image file.
@@ -15,14 +14,13 @@ import io.github.knotresolver.pipeline.Region;
  * @param frameInterval seconds between frames; empty for the image's
  * @param unit unit of length; empty for the image's or, if a pixel size is told
  *          for an image without unit, µm
- * @param region where the filament is searched; empty for everywhere
  */
 public record InputOptions(int channel, boolean zAsTime, OptionalDouble pixelSize,
-	OptionalDouble frameInterval, Optional<String> unit, Optional<Region> region) {
+	OptionalDouble frameInterval, Optional<String> unit) {
 
 	/** The first channel, with the image's own calibration. */
 	public static final InputOptions DEFAULT = new InputOptions(1, false, OptionalDouble.empty(),
-		OptionalDouble.empty(), Optional.empty(), Optional.empty());
+		OptionalDouble.empty(), Optional.empty());
 
 	private static final String MICROMETRE = "µm";
 

@@ -9,11 +9,11 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.measure.Quantity;
 import io.github.knotresolver.measure.Rigidity;
 import io.github.knotresolver.measure.Smoothing;
+import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 

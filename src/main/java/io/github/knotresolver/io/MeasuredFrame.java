@@ -5,7 +5,7 @@ import java.util.Optional;
 import io.github.knotresolver.measure.ContourGeometry;
 import io.github.knotresolver.measure.FrameMeasurement;
 import io.github.knotresolver.measure.Quantity;
-import io.github.knotresolver.track.TrackedFrame;
+import io.github.knotresolver.model.Observation;
 
 /**
  * A frame of a result with its measurement.
@@ -14,7 +14,7 @@ import io.github.knotresolver.track.TrackedFrame;
  * @param measurement what was measured; empty without a contour that can be
  *          measured
  */
-public record MeasuredFrame(TrackedFrame tracked, Optional<FrameMeasurement> measurement) {
+public record MeasuredFrame(Observation tracked, Optional<FrameMeasurement> measurement) {
 
 	private static final double[] NOTHING = {};
 

@@ -8,8 +8,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.model.Region;
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.pipeline.Region;
 
 /**
  * What a person types as the value of an option, turned into a value. Every

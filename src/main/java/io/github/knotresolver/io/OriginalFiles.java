@@ -8,12 +8,12 @@ import java.util.function.ToDoubleFunction;
 
 import org.apache.commons.csv.CSVPrinter;
 
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.measure.DominantFrequency;
 import io.github.knotresolver.measure.OriginalQuantities;
 import io.github.knotresolver.measure.Quantity;
+import io.github.knotresolver.model.Calibration;
 
 /**
  * The original tool's files, so that its users' scripts go on working.
@@ -42,7 +42,7 @@ public final class OriginalFiles {
 	 * @param result a measured result
 	 * @throws IOException if the disk says no
 	 */
-	public static void writeContours(final Path file, final MeasuredResolution result)
+	public static void writeContours(final Path file, final MeasuredTracks result)
 		throws IOException {
 		try (CSVPrinter csv = CsvFile.create(file)) {
 			for (final MeasuredFrame frame : result.frames()) {
@@ -61,7 +61,7 @@ public final class OriginalFiles {
 	 * @param result a measured result
 	 * @throws IOException if the disk says no
 	 */
-	public static void writeStatistics(final Path file, final MeasuredResolution result)
+	public static void writeStatistics(final Path file, final MeasuredTracks result)
 		throws IOException {
 		final Calibration c = result.calibration();
 		final List<MeasuredFrame> measured = result.frames().stream()

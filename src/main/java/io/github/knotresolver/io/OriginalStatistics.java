@@ -7,8 +7,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.measure.OriginalQuantities;
+import io.github.knotresolver.model.Calibration;
 
 /**
  * {@code statsSummary.txt} in the original tool's format.

@@ -17,12 +17,12 @@ import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 import com.google.gson.JsonObject;
 
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
-import io.github.knotresolver.pipeline.Parameters;
-import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
 
 /**
  * {@code parameters.json}: everything needed to repeat a run, with the
@@ -44,34 +44,34 @@ public final class ParametersJson {
 
 	/**
 	 * @param file the file to write
-	 * @param resolution the result
+	 * @param tracks the result
 	 * @param input how the movie was taken from its image
 	 * @param image the image's file; empty if there is none
 	 * @throws IOException if the disk says no
 	 */
-	public static void write(final Path file, final Resolution resolution, final InputOptions input,
+	public static void write(final Path file, final Tracks tracks, final InputOptions input,
 		final Optional<Path> image) throws IOException {
 		final Map<String, Object> json = new LinkedHashMap<>();
 		json.put(PROGRAM, ProgramVersion.NAME);
 		json.put("version", ProgramVersion.get());
-		json.put("movie", movie(resolution.movie(), image));
-		json.put("options", options(resolution, input));
-		json.put("corrections", corrections(resolution.parameters().corrections()));
-		json.put("found", found(resolution));
-		json.put("notes", resolution.notes());
+		json.put("movie", movie(tracks.movie(), image));
+		json.put("options", options(tracks, input));
+		json.put("corrections", corrections(tracks.settings().corrections()));
+		json.put("found", found(tracks));
+		json.put("notes", tracks.notes());
 		Files.writeString(file, GSON.toJson(json) + "\n", StandardCharsets.UTF_8);
 	}
 
 	/**
 	 * The options of a run on one line, as a macro has them.
 	 *
-	 * @param resolution the result
+	 * @param tracks the result
 	 * @param input how the movie was taken from its image
 	 * @return {@code key=value} of every option that has a value
 	 */
-	public static String line(final Resolution resolution, final InputOptions input) {
+	public static String line(final Tracks tracks, final InputOptions input) {
 		final StringBuilder line = new StringBuilder();
-		options(resolution, input).forEach((key, value) -> {
+		options(tracks, input).forEach((key, value) -> {
 			if (value != null)
 				line.append(line.isEmpty() ? "" : " ").append(key).append('=').append(value);
 		});
@@ -99,13 +99,13 @@ public final class ParametersJson {
 		return json;
 	}
 
-	private static Map<String, Object> options(final Resolution resolution,
+	private static Map<String, Object> options(final Tracks tracks,
 		final InputOptions input) {
-		final Parameters p = resolution.parameters();
-		final Calibration c = resolution.movie().calibration();
+		final Settings p = tracks.settings();
+		final Calibration c = tracks.movie().calibration();
 		final Map<String, Object> json = new LinkedHashMap<>();
 		json.put("fixed_end", p.fixedEnd().map(Point::toString).orElse(null));
-		json.put("region", input.region().map(Object::toString).orElse(null));
+		json.put("region", p.region().map(Object::toString).orElse(null));
 		json.put("threshold",
 			p.segmentation().threshold().isPresent()
 				? p.segmentation().threshold().getAsDouble()
@@ -133,14 +133,14 @@ public final class ParametersJson {
 		return json;
 	}
 
-	private static Map<String, Object> found(final Resolution resolution) {
-		final double pixelSize = resolution.movie().calibration().pixelSize();
+	private static Map<String, Object> found(final Tracks tracks) {
+		final double pixelSize = tracks.movie().calibration().pixelSize();
 		final Map<String, Object> json = new LinkedHashMap<>();
-		json.put("fixed_end", resolution.fixedEnd()
+		json.put("fixed_end", tracks.only().fixedEnd()
 			.map(p -> NumberText.pixels(p.x()) + "," + NumberText.pixels(p.y())).orElse(null));
-		json.put("length", finite(resolution.length() * pixelSize));
-		json.put("length_uncertainty", finite(resolution.lengthUncertainty() * pixelSize));
-		json.put("resolved_frames", resolution.resolved());
+		json.put("length", finite(tracks.only().length() * pixelSize));
+		json.put("length_uncertainty", finite(tracks.only().lengthError() * pixelSize));
+		json.put("resolved_frames", tracks.resolved());
 		return json;
 	}
 

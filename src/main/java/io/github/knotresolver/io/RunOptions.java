@@ -14,15 +14,15 @@ import java.util.TreeMap;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Cleaning;
-import io.github.knotresolver.image.Movie;
-import io.github.knotresolver.mask.Segmentation;
+import io.github.knotresolver.model.CandidateMethod;
+import io.github.knotresolver.model.Cleaning;
+import io.github.knotresolver.model.LengthModel;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.ResolverMethod;
+import io.github.knotresolver.model.Segmentation;
+import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.pipeline.FrameChoice;
-import io.github.knotresolver.pipeline.Parameters;
-import io.github.knotresolver.pipeline.Parameters.CandidateMethod;
-import io.github.knotresolver.pipeline.Parameters.LengthModel;
-import io.github.knotresolver.pipeline.Parameters.ResolverMethod;
 
 /**
  * The options of a run, read from text: one definition for the command line
@@ -39,10 +39,10 @@ public final class RunOptions {
 		"ignore_frames", "corrections", "pixel_size", "frame_interval", "unit", "threads");
 
 	private final InputOptions input;
-	private final Parameters parameters;
+	private final Settings parameters;
 	private final OptionalDouble length;
 
-	private RunOptions(final InputOptions input, final Parameters parameters,
+	private RunOptions(final InputOptions input, final Settings parameters,
 		final OptionalDouble length) {
 		this.input = input;
 		this.parameters = parameters;
@@ -82,16 +82,14 @@ public final class RunOptions {
 	 * @throws UserException if they name a place, a frame or a
 	 *           length that the movie does not have, or leave no frame
 	 */
-	public Parameters parameters(final Movie movie) {
-		final Parameters p = parameters;
+	public Settings parameters(final Movie movie) {
+		final Settings p = parameters;
 		final OptionalDouble pixels = length.isPresent()
 			? OptionalDouble.of(length.getAsDouble() / movie.calibration().pixelSize())
 			: OptionalDouble.empty();
-		final Parameters fitting = new Parameters(p.fixedEnd(), p.cleaning(), p.segmentation(),
-			p.candidates(), p.resolver(), pixels, p.lengthModel(), p.refine(), p.frames(),
-			p.ignoreFrames(), p.corrections(), p.threads());
+		final Settings fitting = p.edit().length(pixels).build();
 		new FrameChoice(movie, fitting).frames();
-		input.region().ifPresent(r -> r.inside(movie).of(fitting));
+		p.region().ifPresent(r -> r.inside(movie).of(fitting));
 		return fitting;
 	}
 
@@ -100,20 +98,23 @@ public final class RunOptions {
 		return new InputOptions(OptionText.wholeNumber("channel", channel, 1),
 			flag(given, "z_as_time", false), number(given, "pixel_size"),
 			number(given, "frame_interval"),
-			Optional.ofNullable(given.get("unit")).map(UnitText::length),
-			Optional.ofNullable(given.get("region")).map(t -> OptionText.region("region", t)));
+			Optional.ofNullable(given.get("unit")).map(UnitText::length));
 	}
 
-	private static Parameters parameters(final Map<String, String> given) {
-		final Parameters d = Parameters.DEFAULT;
+	private static Settings parameters(final Map<String, String> given) {
+		final Settings d = Settings.DEFAULT;
 		final Optional<Point> fixedEnd = Optional.ofNullable(given.get("fixed_end"))
 			.map(t -> OptionText.point("fixed_end", t));
-		return new Parameters(fixedEnd, cleaning(given), segmentation(given),
-			choice(given, "candidates", CandidateMethod.class, d.candidates()),
-			choice(given, "resolver", ResolverMethod.class, d.resolver()), OptionalDouble.empty(),
-			choice(given, "length_model", LengthModel.class, d.lengthModel()),
-			flag(given, "refine", d.refine()), frames(given, "frames"),
-			frames(given, "ignore_frames"), corrections(given), threads(given, d));
+		return d.edit().fixedEnd(fixedEnd)
+			.region(Optional.ofNullable(given.get("region"))
+				.map(t -> OptionText.region("region", t)))
+			.cleaning(cleaning(given)).segmentation(segmentation(given))
+			.candidates(choice(given, "candidates", CandidateMethod.class, d.candidates()))
+			.resolver(choice(given, "resolver", ResolverMethod.class, d.resolver()))
+			.lengthModel(choice(given, "length_model", LengthModel.class, d.lengthModel()))
+			.refine(flag(given, "refine", d.refine())).frames(frames(given, "frames"))
+			.ignoreFrames(frames(given, "ignore_frames")).corrections(corrections(given))
+			.threads(threads(given, d)).build();
 	}
 
 	private static Cleaning cleaning(final Map<String, String> given) {
@@ -144,7 +145,7 @@ public final class RunOptions {
 			: Map.of();
 	}
 
-	private static int threads(final Map<String, String> given, final Parameters d) {
+	private static int threads(final Map<String, String> given, final Settings d) {
 		return OptionText.wholeNumber("threads", given.getOrDefault("threads", "" + d.threads()),
 			1);
 	}

@@ -9,7 +9,7 @@ import java.util.function.ToDoubleFunction;
 import org.apache.commons.csv.CSVPrinter;
 
 import io.github.knotresolver.measure.DominantFrequency;
-import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.model.Tracks;
 
 /**
  * {@code summary.csv}: one row for the movie. Lengths are in {@code unit}, the
@@ -36,20 +36,20 @@ public final class SummaryCsv {
 	 * @param input how the movie was taken from its image
 	 * @throws IOException if the disk says no
 	 */
-	public static void write(final Path file, final MeasuredResolution result,
+	public static void write(final Path file, final MeasuredTracks result,
 		final InputOptions input) throws IOException {
 		final LengthStatistics s = LengthStatistics.of(result.frames());
-		final Resolution resolution = result.resolution();
+		final Tracks tracks = result.tracks();
 		final Optional<DominantFrequency> f = result.dominantFrequency();
 		try (CSVPrinter csv = CsvFile.create(file, HEADER)) {
-			csv.printRecord(resolution.movie().name(), resolution.movie().size(),
-				resolution.resolved(), NumberText.significant(s.mean()),
+			csv.printRecord(tracks.movie().name(), tracks.movie().size(),
+				tracks.resolved(), NumberText.significant(s.mean()),
 				NumberText.significant(s.median()), NumberText.significant(s.sd()),
 				NumberText.significant(s.min()), NumberText.significant(s.max()),
 				result.calibration().unit(), text(f, DominantFrequency::frequency),
 				text(f, DominantFrequency::standardError),
 				text(f, DominantFrequency::falseAlarmProbability), result.frequencyUnit(),
-				ProgramVersion.get(), ParametersJson.line(resolution, input));
+				ProgramVersion.get(), ParametersJson.line(tracks, input));
 		}
 	}
 

@@ -3,7 +3,7 @@ package io.github.knotresolver.io;
 
 import java.util.Locale;
 
-import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.model.Calibration;
 
 /** The many spellings of a unit, brought down to one. */
 public final class UnitText {

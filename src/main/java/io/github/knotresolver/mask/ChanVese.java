@@ -9,6 +9,7 @@ import net.imglib2.type.logic.BitType;
 import net.imglib2.type.numeric.real.FloatType;
 
 import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.model.Segmentation;
 
 /** Moves the outline of a mask to where the frame turns dark. */
 public final class ChanVese {

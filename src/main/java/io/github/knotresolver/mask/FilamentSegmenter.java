@@ -6,6 +6,8 @@ import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
 import net.imglib2.type.numeric.real.FloatType;
 
+import io.github.knotresolver.model.Segmentation;
+
 /**
  * Finds the masks of all objects in a clean frame: threshold, active contour,
  * then specks and pin holes are taken out. Has no state that changes, so frames

@@ -3,8 +3,8 @@ package io.github.knotresolver.measure;
 
 import java.util.List;
 
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Calibration;
 
 /**
  * A contour's geometry at each of its points, in calibrated units: the curve is

@@ -1,7 +1,7 @@
 
 package io.github.knotresolver.measure;
 
-import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.model.Calibration;
 
 /**
  * What is measured of a contour in one frame: headers, axes and documents take

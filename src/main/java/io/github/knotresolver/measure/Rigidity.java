@@ -1,7 +1,7 @@
 
 package io.github.knotresolver.measure;
 
-import io.github.knotresolver.geometry.Calibration;
+import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 
 /**

@@ -1,8 +1,8 @@
 
 package io.github.knotresolver.measure;
 
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Calibration;
 
 /**
  * A contour, smoothed twice: as asked for, and over a window that is wide enough

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Set;
 
 import io.github.knotresolver.fit.LineModel;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.model.Movie;
 
 /**
  * Whether the brightest pixels of a movie were cut off, by the camera or by a

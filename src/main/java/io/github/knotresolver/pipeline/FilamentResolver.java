@@ -8,15 +8,20 @@ import java.util.Map;
 import java.util.Optional;
 
 import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.Anchor;
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Region;
+import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.pipeline.FrameResolver.Found;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.track.FixedEndFinder;
-import io.github.knotresolver.track.FrameStatus;
 import io.github.knotresolver.track.FrameView;
-import io.github.knotresolver.track.TrackedFrame;
 
 /**
  * The facade: a movie becomes one contour per frame. It walks the rooms in order:
@@ -27,12 +32,12 @@ public final class FilamentResolver {
 	/** A told fixed end farther than this (pixels) from any object is a mistake. */
 	private static final double FAR = 12;
 
-	private final Parameters parameters;
+	private final Settings parameters;
 
 	/**
 	 * @param parameters everything that decides the result
 	 */
-	public FilamentResolver(final Parameters parameters) {
+	public FilamentResolver(final Settings parameters) {
 		this.parameters = parameters;
 	}
 
@@ -47,14 +52,27 @@ public final class FilamentResolver {
 	 * @throws io.github.knotresolver.progress.CancelledException if the user asked to
 	 *           stop
 	 */
-	public Resolution resolve(final Movie movie, final Progress progress) {
+	public Tracks resolve(final Movie movie, final Progress progress) {
+		if (parameters.region().isPresent())
+			return within(parameters.region().get(), movie, progress);
 		final List<Integer> wanted = new FrameChoice(movie, parameters).frames();
 		try (Workers workers = new Workers(parameters.threads())) {
 			return resolve(movie, wanted, workers, progress);
 		}
 	}
 
-	private Resolution resolve(final Movie movie, final List<Integer> wanted, final Workers workers,
+	/** Searches a part of the movie; the result is in the whole movie's pixels. */
+	private Tracks within(final Region region, final Movie movie, final Progress progress) {
+		final Tracks found = new FilamentResolver(region.of(parameters)).resolve(region.of(movie),
+			progress);
+		final List<String> notes = new ArrayList<>(found.notes());
+		notes.add("Only the region x=" + region.x() + " y=" + region.y() + " width="
+			+ region.width() + " height=" + region.height() + " was searched.");
+		return new Tracks(movie, parameters, found.filaments().stream().map(region::back).toList(),
+			notes);
+	}
+
+	private Tracks resolve(final Movie movie, final List<Integer> wanted, final Workers workers,
 		final Progress progress) {
 		final List<FrameView> frames = new FramePreparer(movie, parameters).prepare(wanted, workers,
 			progress);
@@ -69,18 +87,20 @@ public final class FilamentResolver {
 			.orElseThrow(() -> nothingFound(movie));
 		if (found.frames().stream().allMatch(f -> f.contour().isEmpty()))
 			throw nothingFound(movie);
-		return new Resolution(movie, parameters, Optional.of(found.fixedEnd()), found.length(),
-			found.lengthError(), everyFrame(movie, found.frames()), found.notes());
+		return new Tracks(movie, parameters,
+			List.of(new FilamentTrack(1, Anchor.CLAMPED, Optional.of(found.fixedEnd()),
+				found.length(), found.lengthError(), everyFrame(movie, found.frames()))),
+			found.notes());
 	}
 
-	private static List<TrackedFrame> everyFrame(final Movie movie,
-		final Collection<TrackedFrame> found) {
-		final Map<Integer, TrackedFrame> byFrame = new HashMap<>();
+	private static List<Observation> everyFrame(final Movie movie,
+		final Collection<Observation> found) {
+		final Map<Integer, Observation> byFrame = new HashMap<>();
 		found.forEach(f -> byFrame.put(f.frame(), f));
-		final List<TrackedFrame> all = new ArrayList<>();
+		final List<Observation> all = new ArrayList<>();
 		for (int frame = 1; frame <= movie.size(); frame++)
 			all.add(byFrame.getOrDefault(frame,
-				TrackedFrame.without(frame, FrameStatus.IGNORED, "Left out, as asked.")));
+				Observation.without(frame, FrameStatus.IGNORED, "Left out, as asked.")));
 		return all;
 	}
 

@@ -7,11 +7,12 @@ import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.UserException;
 
 /** Which frames are to be resolved, once movie and parameters are known to fit together. */
-public record FrameChoice(Movie movie, Parameters parameters) {
+public record FrameChoice(Movie movie, Settings parameters) {
 
 	/** A filament cannot be longer than this many times the picture's width and height. */
 	private static final double LONGEST = 6;

@@ -17,13 +17,14 @@ import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.image.ContrastStretch;
 import io.github.knotresolver.image.FrameCleaner;
 import io.github.knotresolver.image.GaussianBlur;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.image.PixelNoise;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.mask.ActiveContourOnly;
 import io.github.knotresolver.mask.FilamentSegmenter;
 import io.github.knotresolver.mask.LocalThreshold;
-import io.github.knotresolver.mask.Segmentation;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Segmentation;
+import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.skeleton.Skeletonize;
@@ -43,7 +44,7 @@ final class FramePreparer {
 	private final Segmentation.Steps steps;
 	private final FilamentSegmenter segmenter;
 
-	FramePreparer(final Movie movie, final Parameters parameters) {
+	FramePreparer(final Movie movie, final Settings parameters) {
 		this.movie = movie;
 		cleaner = new FrameCleaner(parameters.cleaning());
 		blurs = !parameters.isPublished() && isNoisy(movie);

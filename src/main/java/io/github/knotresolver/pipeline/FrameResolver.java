@@ -18,22 +18,23 @@ import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.mask.ObjectFollower;
-import io.github.knotresolver.pipeline.Parameters.CandidateMethod;
-import io.github.knotresolver.pipeline.Parameters.LengthModel;
-import io.github.knotresolver.pipeline.Parameters.ResolverMethod;
+import io.github.knotresolver.model.CandidateMethod;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.LengthModel;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.ResolverMethod;
+import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.skeleton.Skeletonize;
 import io.github.knotresolver.track.FitResolver;
 import io.github.knotresolver.track.FitResolver.Resolved;
 import io.github.knotresolver.track.FrameGraph;
-import io.github.knotresolver.track.FrameStatus;
 import io.github.knotresolver.track.FrameView;
 import io.github.knotresolver.track.GreedyResolver;
 import io.github.knotresolver.track.Resolver;
 import io.github.knotresolver.track.ResolverQuery;
 import io.github.knotresolver.track.Track;
-import io.github.knotresolver.track.TrackedFrame;
 import io.github.knotresolver.track.TrellisResolver;
 
 /**
@@ -45,12 +46,12 @@ final class FrameResolver {
 	/** A clamped filament's mask begins this near (pixels) to its fixed end. */
 	private static final double REACH = 12;
 
-	private final Parameters parameters;
+	private final Settings parameters;
 	private final Set<LineModel.Kind> kinds;
 	private final Workers workers;
 	private final Progress progress;
 
-	FrameResolver(final Parameters parameters, final Set<LineModel.Kind> kinds,
+	FrameResolver(final Settings parameters, final Set<LineModel.Kind> kinds,
 		final Workers workers, final Progress progress) {
 		this.parameters = parameters;
 		this.kinds = kinds;
@@ -59,7 +60,7 @@ final class FrameResolver {
 	}
 
 	/** What was found: length in pixels and its standard error, NaN if not known. */
-	record Found(Point fixedEnd, double length, double lengthError, List<TrackedFrame> frames,
+	record Found(Point fixedEnd, double length, double lengthError, List<Observation> frames,
 		List<String> notes) {
 	}
 
@@ -112,17 +113,17 @@ final class FrameResolver {
 	}
 
 	private static Found merged(final Found track, final Resolved fits) {
-		final Map<Integer, TrackedFrame> byFrame = new HashMap<>();
+		final Map<Integer, Observation> byFrame = new HashMap<>();
 		fits.frames().forEach(f -> byFrame.put(f.frame(), f));
-		final List<TrackedFrame> frames = new ArrayList<>();
-		for (final TrackedFrame f : track.frames)
+		final List<Observation> frames = new ArrayList<>();
+		for (final Observation f : track.frames)
 			frames.add(refined(f, byFrame.get(f.frame())));
 		return new Found(fits.estimate().fixedEnd(), fits.estimate().length(),
 			fits.estimate().lengthError(), frames, track.notes);
 	}
 
 	/** A frame's contour as fitted; as it was where the user gave it or no fit is good. */
-	private static TrackedFrame refined(final TrackedFrame frame, final TrackedFrame fit) {
+	private static Observation refined(final Observation frame, final Observation fit) {
 		return fit == null || fit.contour().isEmpty() || frame.status() == FrameStatus.CORRECTED
 			? frame
 			: frame.withContour(fit.contour().get());

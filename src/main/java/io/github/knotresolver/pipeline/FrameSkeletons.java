@@ -5,7 +5,8 @@ import java.util.List;
 import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
 
-import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
@@ -31,7 +32,7 @@ public final class FrameSkeletons {
 	 * @throws UserException if the movie and the parameters do not fit
 	 *           together
 	 */
-	public static List<Img<BitType>> of(final Movie movie, final Parameters parameters,
+	public static List<Img<BitType>> of(final Movie movie, final Settings parameters,
 		final Progress progress) {
 		final List<Integer> wanted = new FrameChoice(movie, parameters).frames();
 		try (Workers workers = new Workers(parameters.threads())) {

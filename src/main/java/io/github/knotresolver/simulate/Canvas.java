@@ -3,8 +3,8 @@ package io.github.knotresolver.simulate;
 import java.util.ArrayList;
 import java.util.List;
 
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 
 /**

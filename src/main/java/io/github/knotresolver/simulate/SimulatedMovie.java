@@ -8,7 +8,7 @@ import net.imglib2.img.array.ArrayImgs;
 import net.imglib2.type.numeric.IntegerType;
 
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 

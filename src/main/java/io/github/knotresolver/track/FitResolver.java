@@ -27,6 +27,7 @@ import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 
@@ -75,7 +76,7 @@ public final class FitResolver {
 	 * @param estimate line, length and fixed end
 	 * @param frames one for each frame asked for, in the same order
 	 */
-	public record Resolved(FilamentEstimate estimate, List<TrackedFrame> frames) {
+	public record Resolved(FilamentEstimate estimate, List<Observation> frames) {
 	}
 
 	/**

@@ -11,6 +11,8 @@ import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitQuality;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -31,7 +33,7 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentE
 	/** Where more than this share is in the dark, no contour can be trusted. */
 	private static final double UNRESOLVED = 0.3;
 
-	List<TrackedFrame> solve(final Map<Integer, Polyline> given, final Progress progress) {
+	List<Observation> solve(final Map<Integer, Polyline> given, final Progress progress) {
 		final List<double[]> prices = pools.stream()
 			.map(p -> p.stream().mapToDouble(Fit::energy).toArray()).toList();
 		final MotionPrice motion = MotionPrice.learn(pools);
@@ -44,31 +46,31 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentE
 				: Optional.of(FitQuality.of(light.get(t), estimate.model(),
 					pools.get(t).get(path.choice()[t]).chain())));
 		final FitConfidence confidence = FitConfidence.learn(quality);
-		final List<TrackedFrame> tracked = new ArrayList<>();
+		final List<Observation> tracked = new ArrayList<>();
 		for (int t = 0; t < pools.size(); t++)
 			tracked.add(tracked(t, path, quality.get(t), confidence, given));
 		return tracked;
 	}
 
-	private TrackedFrame tracked(final int t, final TrellisPath path,
+	private Observation tracked(final int t, final TrellisPath path,
 		final Optional<FitQuality> quality, final FitConfidence confidence,
 		final Map<Integer, Polyline> given) {
 		final int frame = frames.get(t).frame();
 		final boolean lost = quality.isEmpty() || quality.get().dark() > LOST;
 		final boolean dark = lost || quality.get().dark() > UNRESOLVED;
 		if (given.containsKey(frame))
-			return new TrackedFrame(frame, FrameStatus.CORRECTED, "Given by the user.",
+			return new Observation(frame, FrameStatus.CORRECTED, "Given by the user.",
 				Optional.of(dark ? given.get(frame) : chosen(t, path).chain().contour()),
 				junctions(t), 1, dark ? 0 : chosen(t, path).energy(), 1);
 		if (lost)
-			return TrackedFrame.without(frame, FrameStatus.LOST,
+			return Observation.without(frame, FrameStatus.LOST,
 				"No filament was found in this frame.");
 		if (dark)
-			return TrackedFrame.without(frame, FrameStatus.UNRESOLVED,
+			return Observation.without(frame, FrameStatus.UNRESOLVED,
 				"The best contour runs in the dark for " + Math.round(100 * quality.get().dark())
 					+ " % of its length.");
 		final Polyline contour = chosen(t, path).chain().contour();
-		return new TrackedFrame(frame, FrameStatus.RESOLVED,
+		return new Observation(frame, FrameStatus.RESOLVED,
 			Outcome.limitReason(sets.get(t).limited()), Optional.of(contour), junctions(t),
 			pools.get(t).size(), chosen(t, path).energy(),
 			confidence.of(FitConfidence.gap(path, pools.get(t), t), quality.get(),

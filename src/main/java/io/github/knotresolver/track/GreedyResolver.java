@@ -15,6 +15,8 @@ import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.Node;
 import io.github.knotresolver.graph.SkeletonGraph;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -30,12 +32,12 @@ public record GreedyResolver(CandidateGenerator generator) implements Resolver {
 
 	@Override
 	public Track resolve(final ResolverQuery query, final Progress progress) {
-		final List<TrackedFrame> frames = new ArrayList<>();
+		final List<Observation> frames = new ArrayList<>();
 		Optional<Polyline> template = Optional.empty();
 		for (final FrameGraph frame : query.frames()) {
 			progress.checkCancelled();
 			progress.report("Resolving", (double) frames.size() / query.frames().size());
-			final TrackedFrame found = resolve(frame, query, template, progress);
+			final Observation found = resolve(frame, query, template, progress);
 			if (found.contour().isPresent())
 				template = found.contour();
 			frames.add(found);
@@ -43,7 +45,7 @@ public record GreedyResolver(CandidateGenerator generator) implements Resolver {
 		return new Track(frames, query.length());
 	}
 
-	private TrackedFrame resolve(final FrameGraph frame, final ResolverQuery query,
+	private Observation resolve(final FrameGraph frame, final ResolverQuery query,
 		final Optional<Polyline> template, final Progress progress) {
 		final Polyline correction = query.corrections().get(frame.frame());
 		if (correction != null)
@@ -52,10 +54,10 @@ public record GreedyResolver(CandidateGenerator generator) implements Resolver {
 			return Outcome.lost(frame);
 		final SkeletonGraph graph = frame.graph().get();
 		if (graph.isUnbranched())
-			return new TrackedFrame(frame.frame(), FrameStatus.RESOLVED, "",
+			return new Observation(frame.frame(), FrameStatus.RESOLVED, "",
 				Optional.of(ordered(graph, query.fixedEnd())), 0, 1, 0, 1);
 		return template.isEmpty()
-			? TrackedFrame.without(frame.frame(), FrameStatus.UNRESOLVED,
+			? Observation.without(frame.frame(), FrameStatus.UNRESOLVED,
 				"The filament crosses itself before it has been seen without a crossing; correct this frame to start from it.")
 			: nearest(frame,
 				new CandidateQuery(graph, query.fixedEnd(), OptionalDouble.empty(), template),
@@ -78,7 +80,7 @@ public record GreedyResolver(CandidateGenerator generator) implements Resolver {
 		return chain.first().equals(first) ? chain : chain.reversed();
 	}
 
-	private TrackedFrame nearest(final FrameGraph frame, final CandidateQuery query,
+	private Observation nearest(final FrameGraph frame, final CandidateQuery query,
 		final Progress progress) {
 		final CandidateSet set = generator.generate(query, progress);
 		final Polyline template = query.template().orElseThrow();
@@ -99,7 +101,7 @@ public record GreedyResolver(CandidateGenerator generator) implements Resolver {
 		final double confidence = second > 0 && Double.isFinite(second)
 			? 1 - cost / second
 			: Double.isFinite(second) ? 0 : 1;
-		return new TrackedFrame(frame.frame(), FrameStatus.RESOLVED,
+		return new Observation(frame.frame(), FrameStatus.RESOLVED,
 			Outcome.limitReason(set.limited()), Optional.of(best), frame.junctions(),
 			set.candidates().size(), cost, confidence);
 	}

@@ -3,6 +3,8 @@ package io.github.knotresolver.track;
 import java.util.Optional;
 
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Observation;
 
 /** What resolvers say about frames that are not simply resolved. */
 final class Outcome {
@@ -10,18 +12,18 @@ final class Outcome {
 	private Outcome() {
 	}
 
-	static TrackedFrame corrected(final FrameGraph frame, final Polyline contour) {
-		return new TrackedFrame(frame.frame(), FrameStatus.CORRECTED, "Given by the user.",
+	static Observation corrected(final FrameGraph frame, final Polyline contour) {
+		return new Observation(frame.frame(), FrameStatus.CORRECTED, "Given by the user.",
 			Optional.of(contour), frame.junctions(), 1, 0, 1);
 	}
 
-	static TrackedFrame lost(final FrameGraph frame) {
-		return TrackedFrame.without(frame.frame(), FrameStatus.LOST,
+	static Observation lost(final FrameGraph frame) {
+		return Observation.without(frame.frame(), FrameStatus.LOST,
 			"No filament was found in this frame.");
 	}
 
-	static TrackedFrame withoutCandidates(final FrameGraph frame) {
-		return TrackedFrame.without(frame.frame(), FrameStatus.UNRESOLVED,
+	static Observation withoutCandidates(final FrameGraph frame) {
+		return Observation.without(frame.frame(), FrameStatus.UNRESOLVED,
 			"The skeleton is too small to hold a contour.");
 	}
 

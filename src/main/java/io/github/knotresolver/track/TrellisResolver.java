@@ -11,6 +11,8 @@ import io.github.knotresolver.candidate.CandidateGenerator;
 import io.github.knotresolver.candidate.CandidateQuery;
 import io.github.knotresolver.contour.EqualArcDistance;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 
@@ -66,7 +68,7 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 		final Solution best = length.isPresent()
 			? solve(query, length, progress)
 			: tryLengths(query, progress);
-		final List<TrackedFrame> frames = new ArrayList<>();
+		final List<Observation> frames = new ArrayList<>();
 		for (int t = 0; t < query.frames().size(); t++)
 			frames.add(tracked(query, best, t));
 		return new Track(frames, best.length);
@@ -124,7 +126,7 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 			.orElse(FrameCandidates.NONE);
 	}
 
-	private static TrackedFrame tracked(final ResolverQuery query, final Solution solution,
+	private static Observation tracked(final ResolverQuery query, final Solution solution,
 		final int t) {
 		final FrameGraph frame = query.frames().get(t);
 		final FrameCandidates column = solution.columns.get(t);
@@ -135,7 +137,7 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 		if (column.contours().isEmpty())
 			return Outcome.withoutCandidates(frame);
 		final int chosen = solution.path.choice()[t];
-		return new TrackedFrame(frame.frame(), FrameStatus.RESOLVED,
+		return new Observation(frame.frame(), FrameStatus.RESOLVED,
 			Outcome.limitReason(column.limited()), Optional.of(column.contours().get(chosen)),
 			frame.junctions(), column.contours().size(), column.prices().get(chosen),
 			confidence(solution, t, chosen));

@@ -13,13 +13,15 @@ import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.imagej.Engine;
-import io.github.knotresolver.pipeline.Parameters;
-import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.model.Anchor;
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.track.FrameStatus;
-import io.github.knotresolver.track.TrackedFrame;
 
 /**
  * The command line in a process of its own, with an engine that reads contours
@@ -38,7 +40,7 @@ public final class TruthMain {
 		KnotResolverMain.start(engine, args);
 	}
 
-	private static Resolution waitForCancel(final Progress progress) {
+	private static Tracks waitForCancel(final Progress progress) {
 		System.out.println("started");
 		while (true) {
 			progress.checkCancelled();
@@ -50,7 +52,7 @@ public final class TruthMain {
 		}
 	}
 
-	private static Resolution known(final Movie movie, final Parameters parameters,
+	private static Tracks known(final Movie movie, final Settings parameters,
 		final Path file) {
 		final Map<Integer, List<Point>> points = new TreeMap<>();
 		try {
@@ -63,13 +65,12 @@ public final class TruthMain {
 		} catch (final IOException e) {
 			throw new UncheckedIOException(e);
 		}
-		final List<TrackedFrame> frames = IntStream.rangeClosed(1, movie.size())
+		final List<Observation> frames = IntStream.rangeClosed(1, movie.size())
 			.mapToObj(f -> points.containsKey(f)
-				? new TrackedFrame(f, FrameStatus.RESOLVED, "",
+				? new Observation(f, FrameStatus.RESOLVED, "",
 					Optional.of(Polyline.of(points.get(f))), 1, 3, 0.2, 0.95)
-				: TrackedFrame.without(f, FrameStatus.LOST, "No contour in the file."))
+				: Observation.without(f, FrameStatus.LOST, "No contour in the file."))
 			.toList();
-		return new Resolution(movie, parameters, frames.get(0).contour().map(Polyline::first),
-			Double.NaN, Double.NaN, frames, List.of());
+		return new Tracks(movie, parameters, List.of(new FilamentTrack(1, Anchor.CLAMPED, frames.get(0).contour().map(Polyline::first), Double.NaN, Double.NaN, frames)), List.of());
 	}
 }

@@ -11,18 +11,20 @@ import ij.ImagePlus;
 import ij.WindowManager;
 import ij.plugin.frame.RoiManager;
 import ij.text.TextWindow;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.imagej.ContourTables;
 import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.imagej.ResultDisplay;
 import io.github.knotresolver.imagej.RoiConverter;
 import io.github.knotresolver.imagej.TestImages;
 import io.github.knotresolver.io.InputOptions;
-import io.github.knotresolver.io.MeasuredResolution;
-import io.github.knotresolver.pipeline.Parameters;
-import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.io.MeasuredTracks;
+import io.github.knotresolver.model.Anchor;
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.track.TrackedFrame;
 
 /**
  * How long a finished result of 120 frames takes until it is in overlay, ROI
@@ -41,8 +43,8 @@ final class DisplayMain {
 		final ImagePlus image = TestImages.movie(FRAMES, 8);
 		image.show();
 		final Movie movie = ImageMovie.of(image, InputOptions.DEFAULT);
-		final MeasuredResolution result = MeasuredResolution.of(
-			detailed(TestImages.resolve(movie, Parameters.DEFAULT, Progress.NONE)), Progress.NONE);
+		final MeasuredTracks result = MeasuredTracks.of(
+			detailed(TestImages.resolve(movie, Settings.DEFAULT, Progress.NONE)), Progress.NONE);
 		final double[] millis = new double[RUNS];
 		for (int run = 0; run < RUNS; run++) {
 			final long start = System.nanoTime();
@@ -54,26 +56,25 @@ final class DisplayMain {
 		Arrays.sort(later);
 		System.out.printf(Locale.ROOT,
 			"%d frames, %d points in all: first time %.0f ms, then %.0f ms (median of %d).%n",
-			FRAMES, result.resolution().frames().stream().flatMap(f -> f.contour().stream())
+			FRAMES, result.tracks().only().frames().stream().flatMap(f -> f.contour().stream())
 				.mapToInt(c -> c.size()).sum(),
 			millis[0], later[later.length / 2], later.length);
 		System.exit(0);
 	}
 
 	/** With as many points as a filament of 20 um has at 0.1 um a pixel. */
-	private static Resolution detailed(final Resolution r) {
-		final List<TrackedFrame> frames = r.frames().stream()
-			.map(f -> new TrackedFrame(f.frame(), f.status(), f.reason(),
+	private static Tracks detailed(final Tracks r) {
+		final List<Observation> frames = r.only().frames().stream()
+			.map(f -> new Observation(f.frame(), f.status(), f.reason(),
 				f.contour().map(c -> c.divided(POINTS - 1)), f.junctions(), f.candidates(),
 				f.cost(), f.confidence()))
 			.toList();
-		return new Resolution(r.movie(), r.parameters(), r.fixedEnd(), r.length(),
-			r.lengthUncertainty(), frames, r.notes());
+		return new Tracks(r.movie(), r.settings(), List.of(new FilamentTrack(1, Anchor.CLAMPED, r.only().fixedEnd(), r.only().length(), r.only().lengthError(), frames)), r.notes());
 	}
 
-	private static void show(final ImagePlus image, final MeasuredResolution result)
+	private static void show(final ImagePlus image, final MeasuredTracks result)
 		throws Exception {
-		final ResultDisplay display = new ResultDisplay(image, result.resolution(),
+		final ResultDisplay display = new ResultDisplay(image, result.tracks(),
 			RoiConverter.forImage(image, 1));
 		display.overlay();
 		display.fill(RoiManager.getRoiManager());

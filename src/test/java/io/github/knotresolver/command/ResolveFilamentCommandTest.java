@@ -46,7 +46,7 @@ import io.github.knotresolver.imagej.SampleMovie;
 import io.github.knotresolver.imagej.TestImages;
 import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.io.RunOptions;
-import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 
@@ -101,9 +101,9 @@ class ResolveFilamentCommandTest {
 		final Module module = run(Map.of("movie", file.toFile(), "out", out.toFile(), "threshold",
 			"0.3", "frames", "1-3"));
 		assertFalse(((ResolveFilamentCommand) module.getDelegateObject()).isCanceled());
-		final Resolution resolution = (Resolution) module.getOutput("resolution");
-		assertEquals(0.3, resolution.parameters().segmentation().threshold().getAsDouble());
-		assertEquals(3, resolution.parameters().frames().size());
+		final Tracks resolution = (Tracks) module.getOutput("resolution");
+		assertEquals(0.3, resolution.settings().segmentation().threshold().getAsDouble());
+		assertEquals(3, resolution.settings().frames().size());
 		assertTrue(Files.exists(out.resolve("contours.csv")));
 	}
 
@@ -112,9 +112,9 @@ class ResolveFilamentCommandTest {
 		final ImagePlus image = TestImages.movie(4, 8);
 		image.setRoi(new PointRoi(12.5, 30.5));
 		final byte[] before = ((byte[]) image.getStack().getPixels(2)).clone();
-		final Resolution resolution = (Resolution) run(Map.of("image", image))
+		final Tracks resolution = (Tracks) run(Map.of("image", image))
 			.getOutput("resolution");
-		assertEquals(Optional.of(new Point(12, 30)), resolution.parameters().fixedEnd());
+		assertEquals(Optional.of(new Point(12, 30)), resolution.settings().fixedEnd());
 		assertEquals("µm", resolution.movie().calibration().unit());
 		assertTrue(Arrays.equals(before, (byte[]) image.getStack().getPixels(2)));
 		assertEquals(3 * 16, image.getOverlay().size());
@@ -141,9 +141,9 @@ class ResolveFilamentCommandTest {
 			});
 		assertEquals(60, size[0]);
 		assertEquals(50, size[1]);
-		final Resolution resolution = (Resolution) module.getOutput("resolution");
+		final Tracks resolution = (Tracks) module.getOutput("resolution");
 		assertEquals(TestImages.WIDTH, resolution.movie().width());
-		final Point first = resolution.frames().get(0).contour().get().first();
+		final Point first = resolution.only().frames().get(0).contour().get().first();
 		assertEquals(new Point(12 + 5, 30 + 2), first);
 		assertRefused("reaches outside of 'movie', which has 80 x 60 pixels",
 			Map.of("image", image, "region", "5,2,76,50"));
@@ -230,10 +230,10 @@ class ResolveFilamentCommandTest {
 
 	@Test
 	void defaultsAreTheCommandLines() throws Exception {
-		final Resolution resolution = (Resolution) run(Map.of("image", TestImages.movie(4, 8)))
+		final Tracks resolution = (Tracks) run(Map.of("image", TestImages.movie(4, 8)))
 			.getOutput("resolution");
 		assertEquals(RunOptions.parse(Map.of()).parameters(resolution.movie()),
-			resolution.parameters());
+			resolution.settings());
 	}
 
 	@Test

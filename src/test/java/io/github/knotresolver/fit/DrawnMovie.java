@@ -7,10 +7,10 @@ import java.util.Random;
 
 import net.imglib2.img.array.ArrayImgs;
 
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.Movie;
 
 /**
  * Movies of a clamped, beating filament, drawn with the line models of the fit, for tests.

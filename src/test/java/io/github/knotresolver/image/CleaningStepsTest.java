@@ -14,6 +14,8 @@ import net.imglib2.view.Views;
 
 import org.junit.jupiter.api.Test;
 
+import io.github.knotresolver.model.Cleaning;
+
 class CleaningStepsTest {
 
 	@Test

@@ -24,10 +24,10 @@ import ij.ImagePlus;
 import ij.VirtualStack;
 import ij.process.ImageProcessor;
 import ij.process.ShortProcessor;
-import io.github.knotresolver.geometry.Calibration;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.io.InputOptions;
 import io.github.knotresolver.io.RunOptions;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
 
 class ImageMovieTest {

@@ -50,20 +50,20 @@ import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.Node;
 import io.github.knotresolver.graph.Segment;
 import io.github.knotresolver.graph.SkeletonGraph;
-import io.github.knotresolver.image.Cleaning;
 import io.github.knotresolver.image.FrameCleaner;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.io.InputOptions;
 import io.github.knotresolver.mask.FilamentSegmenter;
 import io.github.knotresolver.mask.LocalThreshold;
-import io.github.knotresolver.mask.Segmentation;
+import io.github.knotresolver.model.Cleaning;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Segmentation;
+import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.pipeline.FilamentResolver;
-import io.github.knotresolver.pipeline.Parameters;
-import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.skeleton.Skeletonize;
-import io.github.knotresolver.track.TrackedFrame;
 
 /**
  * Draws the figures of {@code docs/method.md} from the sample movie; called by
@@ -80,9 +80,9 @@ public final class MethodFigures {
 		new Color(0x009e73), new Color(0xcc79a7), new Color(0xf0e442), new Color(0xd55e00)};
 
 	private final Movie movie = ImageMovie.of(SampleMovie.open(), InputOptions.DEFAULT);
-	private final Resolution resolution = new FilamentResolver(Parameters.DEFAULT).resolve(movie,
+	private final Tracks tracks = new FilamentResolver(Settings.DEFAULT).resolve(movie,
 		Progress.NONE);
-	private final Polyline contour = resolution.frames().get(FRAME - 1).contour().orElseThrow();
+	private final Polyline contour = tracks.only().frames().get(FRAME - 1).contour().orElseThrow();
 	private final RandomAccessibleInterval<? extends RealType<?>> frame = movie.frame(FRAME - 1);
 	private final Viewport view = around();
 	private final FramePainter painter = new FramePainter(Contrast.of(movie, 170), view);
@@ -167,7 +167,7 @@ public final class MethodFigures {
 
 	private void addTrails(final SkeletonGraph graph) {
 		final List<Candidate> trails = TrailCandidates.DEFAULT.generate(
-			CandidateQuery.of(graph, contour.first(), OptionalDouble.of(resolution.length())),
+			CandidateQuery.of(graph, contour.first(), OptionalDouble.of(tracks.only().length())),
 			Progress.NONE).candidates();
 		for (int i = 0; i < 3; i++) {
 			final BufferedImage panel = painter.paint(frame);
@@ -257,7 +257,7 @@ public final class MethodFigures {
 	private JFreeChart movie() {
 		final XYSeries vertices = new XYSeries("different fits (vertices of the trellis)");
 		final XYSeries confidence = new XYSeries("confidence of the chosen one");
-		for (final TrackedFrame f : resolution.frames()) {
+		for (final Observation f : tracks.only().frames()) {
 			vertices.add(f.frame(), f.candidates());
 			confidence.add(f.frame(), f.confidence());
 		}

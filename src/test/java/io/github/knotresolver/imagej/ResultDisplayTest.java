@@ -24,18 +24,18 @@ import ij.io.RoiDecoder;
 import ij.io.RoiEncoder;
 import ij.measure.ResultsTable;
 import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.io.InputOptions;
-import io.github.knotresolver.io.MeasuredResolution;
-import io.github.knotresolver.pipeline.Parameters;
-import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.io.MeasuredTracks;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
 
 class ResultDisplayTest {
 
 	private final ImagePlus image = TestImages.movie(4, 8);
 	private final Movie movie = ImageMovie.of(image, InputOptions.DEFAULT);
-	private final Resolution resolution = TestImages.resolve(movie, Parameters.DEFAULT,
+	private final Tracks tracks = TestImages.resolve(movie, Settings.DEFAULT,
 		Progress.NONE);
 
 	@TempDir
@@ -43,7 +43,7 @@ class ResultDisplayTest {
 
 	@Test
 	void roiIsSubPixelHalfAPixelOffWithNameAndPosition() throws IOException {
-		final List<Roi> rois = RoiConverter.forStack(4).rois(resolution);
+		final List<Roi> rois = RoiConverter.forStack(4).rois(tracks);
 		assertEquals(List.of("knot-0001", "knot-0003", "knot-0004"),
 			rois.stream().map(Roi::getName).toList());
 		final Path file = home.resolve("RoiSet.zip");
@@ -57,7 +57,7 @@ class ResultDisplayTest {
 		assertEquals("knot-0003", roi.getName());
 		assertEquals(3, roi.getPosition());
 		final var points = roi.getFloatPolygon();
-		final var contour = resolution.frames().get(2).contour().get();
+		final var contour = tracks.only().frames().get(2).contour().get();
 		assertEquals(contour.size(), points.npoints);
 		for (int i = 0; i < points.npoints; i++) {
 			assertEquals(contour.x(i) + 0.5, points.xpoints[i], 1e-4);
@@ -68,7 +68,7 @@ class ResultDisplayTest {
 	@Test
 	void roiOfAChannelHasThePositionOfTheHyperstack() {
 		final ImagePlus two = IJ.createHyperStack("two", 80, 60, 2, 1, 4, 8);
-		final Roi roi = RoiConverter.forImage(two, 2).rois(resolution).get(1);
+		final Roi roi = RoiConverter.forImage(two, 2).rois(tracks).get(1);
 		assertEquals(List.of(2, 1, 3),
 			List.of(roi.getCPosition(), roi.getZPosition(), roi.getTPosition()));
 		final Roi decoded = RoiDecoder.openFromByteArray(RoiEncoder.saveAsByteArray(roi));
@@ -78,7 +78,7 @@ class ResultDisplayTest {
 	@Test
 	void roiOfSlicesThatAreFramesStandsOnItsSlice() {
 		final Roi roi = RoiConverter.forImage(IJ.createHyperStack("z", 80, 60, 2, 4, 1, 8), 2)
-			.rois(resolution).get(1);
+			.rois(tracks).get(1);
 		assertEquals(List.of(2, 3, 1),
 			List.of(roi.getCPosition(), roi.getZPosition(), roi.getTPosition()));
 	}
@@ -88,16 +88,16 @@ class ResultDisplayTest {
 		final ImagePlus two = IJ.createHyperStack("two", 80, 60, 2, 1, 4, 8);
 		final RoiConverter rois = RoiConverter.forImage(two, 2);
 		two.flush();
-		assertEquals(3, rois.rois(resolution).get(1).getTPosition());
+		assertEquals(3, rois.rois(tracks).get(1).getTPosition());
 	}
 
 	@Test
 	void overlayReplacesTheEarlierOneAndLeavesPixelsAndOtherShapes() {
 		final byte[] before = ((byte[]) image.getStack().getPixels(1)).clone();
 		image.setOverlay(new Overlay(new Roi(1, 1, 5, 5)));
-		new ResultDisplay(image, resolution, RoiConverter.forImage(image, 1)).overlay();
+		new ResultDisplay(image, tracks, RoiConverter.forImage(image, 1)).overlay();
 		final int once = image.getOverlay().size();
-		new ResultDisplay(image, resolution, RoiConverter.forImage(image, 1)).overlay();
+		new ResultDisplay(image, tracks, RoiConverter.forImage(image, 1)).overlay();
 		assertEquals(once, image.getOverlay().size());
 		assertEquals(1 + 3 * 16, once);
 		assertEquals(1, image.getOverlay().get(1).getPosition());
@@ -107,7 +107,7 @@ class ResultDisplayTest {
 	@Test
 	void tablesHaveUnitsAndARowForEveryFrame() {
 		final ContourTables tables = new ContourTables("movie",
-			MeasuredResolution.of(resolution, Progress.NONE));
+			MeasuredTracks.of(tracks, Progress.NONE));
 		final ResultsTable frames = tables.frames();
 		assertEquals(4, frames.size());
 		assertEquals("lost", frames.getStringValue("status", 1));

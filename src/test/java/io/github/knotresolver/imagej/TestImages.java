@@ -11,12 +11,14 @@ import ij.io.FileSaver;
 import ij.process.ImageProcessor;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
-import io.github.knotresolver.pipeline.Parameters;
-import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.model.Anchor;
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.track.FrameStatus;
-import io.github.knotresolver.track.TrackedFrame;
 
 /** Movies of a filament with a loop, and an engine that knows where it is. */
 public final class TestImages {
@@ -62,18 +64,16 @@ public final class TestImages {
 	}
 
 	/** Knows the filament of {@link #movie}; loses it in frame 2. */
-	public static Resolution resolve(final Movie movie, final Parameters parameters,
+	public static Tracks resolve(final Movie movie, final Settings parameters,
 		final Progress progress) {
 		progress.checkCancelled();
-		return new Resolution(movie, parameters, Optional.of(new Point(12, 30)), 80, 0.1,
-			IntStream.range(0, movie.size()).mapToObj(i -> frame(i, movie.size())).toList(),
-			List.of("A note."));
+		return new Tracks(movie, parameters, List.of(new FilamentTrack(1, Anchor.CLAMPED, Optional.of(new Point(12, 30)), 80, 0.1, IntStream.range(0, movie.size()).mapToObj(i -> frame(i, movie.size())).toList())), List.of("A note."));
 	}
 
-	private static TrackedFrame frame(final int i, final int frames) {
+	private static Observation frame(final int i, final int frames) {
 		return i == 1
-			? TrackedFrame.without(2, FrameStatus.LOST, "The filament, it seems, is \"gone\".")
-			: new TrackedFrame(i + 1, FrameStatus.RESOLVED, "", Optional.of(contour(i, frames)), 1,
+			? Observation.without(2, FrameStatus.LOST, "The filament, it seems, is \"gone\".")
+			: new Observation(i + 1, FrameStatus.RESOLVED, "", Optional.of(contour(i, frames)), 1,
 				4, 0.5, 0.99);
 	}
 }

@@ -21,12 +21,15 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.CandidateMethod;
+import io.github.knotresolver.model.LengthModel;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Region;
+import io.github.knotresolver.model.ResolverMethod;
+import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.pipeline.Parameters;
-import io.github.knotresolver.pipeline.Region;
 
 class OptionsTest {
 
@@ -38,7 +41,7 @@ class OptionsTest {
 
 	@Test
 	void nothingGivenIsTheDefault() {
-		assertEquals(Parameters.DEFAULT,
+		assertEquals(Settings.DEFAULT,
 			RunOptions.parse(Map.of("threshold", " ", "length", "")).parameters(MOVIE));
 		assertEquals(InputOptions.DEFAULT, RunOptions.parse(Map.of()).input());
 	}
@@ -58,7 +61,7 @@ class OptionsTest {
 			Map.entry("corrections", corrections.toString()), Map.entry("pixel_size", "0.2"),
 			Map.entry("frame_interval", "3"), Map.entry("unit", "micron"),
 			Map.entry("threads", "3")));
-		final Parameters p = options.parameters(MOVIE);
+		final Settings p = options.parameters(MOVIE);
 		assertEquals(Optional.of(new Point(3, 4.5)), p.fixedEnd());
 		assertEquals(OptionalDouble.of(0.3), p.segmentation().threshold());
 		assertEquals(7, p.segmentation().iterations());
@@ -66,24 +69,24 @@ class OptionsTest {
 		assertEquals(1, p.segmentation().smoothFactor());
 		assertEquals(9, p.cleaning().logSize());
 		assertEquals(1.5, p.cleaning().logSigma());
-		assertEquals(Parameters.CandidateMethod.PAPER, p.candidates());
-		assertEquals(Parameters.ResolverMethod.PAPER, p.resolver());
+		assertEquals(CandidateMethod.PAPER, p.candidates());
+		assertEquals(ResolverMethod.PAPER, p.resolver());
 		assertEquals(12, p.length().getAsDouble(), 1e-12);
-		assertEquals(Parameters.LengthModel.FREE, p.lengthModel());
+		assertEquals(LengthModel.FREE, p.lengthModel());
 		assertEquals(false, p.refine());
 		assertEquals(List.of(1, 2, 3, 4, 9), List.copyOf(p.frames()));
 		assertEquals(List.of(2, 3), List.copyOf(p.ignoreFrames()));
 		assertEquals(3, p.corrections().get(3).length());
 		assertEquals(3, p.threads());
 		assertEquals(new InputOptions(2, true, OptionalDouble.of(0.2), OptionalDouble.of(3),
-			Optional.of("µm"), Optional.empty()), options.input());
+			Optional.of("µm")), options.input());
 	}
 
 	@Test
 	void regionIsReadAndMustLieInTheMovie() {
 		final RunOptions options = RunOptions.parse(Map.of("region", "2, 3,20,15"));
-		assertEquals(Optional.of(new Region(2, 3, 20, 15)), options.input().region());
-		assertEquals("2,3,20,15", options.input().region().get().toString());
+		assertEquals(Optional.of(new Region(2, 3, 20, 15)), options.parameters(MOVIE).region());
+		assertEquals("2,3,20,15", options.parameters(MOVIE).region().get().toString());
 		for (final String wrong : List.of("2,3,20", "2,3,20,1.5", "-2,3,20,15", "a,b,c,d"))
 			assertEquals(
 				"region must be X,Y,WIDTH,HEIGHT in whole pixels, such as 10,0,120,80, but is '"

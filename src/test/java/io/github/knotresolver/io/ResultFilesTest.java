@@ -22,15 +22,17 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.Anchor;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.track.FrameStatus;
-import io.github.knotresolver.track.TrackedFrame;
 
 class ResultFilesTest {
 
@@ -41,8 +43,8 @@ class ResultFilesTest {
 
 	@Test
 	void everyFileHasItsColumnsAndUnits() throws IOException {
-		final Resolution resolution = resolution(RunOptions.parse(Map.of()));
-		final MeasuredResolution result = MeasuredResolution.of(resolution, Progress.NONE);
+		final Tracks tracks = tracks(RunOptions.parse(Map.of()));
+		final MeasuredTracks result = MeasuredTracks.of(tracks, Progress.NONE);
 		ContoursCsv.write(home.resolve("c"), result);
 		FramesCsv.write(home.resolve("f"), result);
 		OriginalFiles.writeContours(home.resolve("m"), result);
@@ -66,9 +68,9 @@ class ResultFilesTest {
 
 	@Test
 	void summaryIsOneRow() throws IOException {
-		final Resolution resolution = resolution(
+		final Tracks tracks = tracks(
 			RunOptions.parse(Map.of("fixed_end", "2,5", "length", "10")));
-		SummaryCsv.write(home.resolve("s"), MeasuredResolution.of(resolution, Progress.NONE),
+		SummaryCsv.write(home.resolve("s"), MeasuredTracks.of(tracks, Progress.NONE),
 			InputOptions.DEFAULT);
 		final List<String> rows = Files.readAllLines(home.resolve("s"));
 		assertEquals(2, rows.size());
@@ -88,23 +90,23 @@ class ResultFilesTest {
 			Map.entry("length", "6"), Map.entry("length_model", "free"),
 			Map.entry("refine", "false"), Map.entry("frames", "1-3"),
 			Map.entry("ignore_frames", "2"));
-		final Resolution resolution = resolution(RunOptions.parse(texts));
-		ParametersJson.write(home.resolve("p"), resolution, InputOptions.DEFAULT, Optional.empty());
+		final Tracks tracks = tracks(RunOptions.parse(texts));
+		ParametersJson.write(home.resolve("p"), tracks, InputOptions.DEFAULT, Optional.empty());
 		final JsonObject json = JsonParser.parseString(Files.readString(home.resolve("p")))
 			.getAsJsonObject();
 		final Map<String, String> read = new TreeMap<>();
 		json.getAsJsonObject("options").entrySet().forEach(
 			e -> read.put(e.getKey(), e.getValue().isJsonNull() ? "" : e.getValue().getAsString()));
-		assertEquals(resolution.parameters(),
-			RunOptions.parse(read).parameters(resolution.movie()));
+		assertEquals(tracks.settings(),
+			RunOptions.parse(read).parameters(tracks.movie()));
 		assertEquals("KnotResolver", json.get("program").getAsString());
 		assertEquals("2.000,5.000", json.getAsJsonObject("found").get("fixed_end").getAsString());
 	}
 
 	@Test
 	void statisticsHaveTheOriginalsFormat() throws IOException {
-		final MeasuredResolution result = MeasuredResolution
-			.of(resolution(RunOptions.parse(Map.of())), Progress.NONE);
+		final MeasuredTracks result = MeasuredTracks
+			.of(tracks(RunOptions.parse(Map.of())), Progress.NONE);
 		OriginalFiles.writeStatistics(home.resolve("s"), result);
 		assertEquals("""
 			Statistics Summary
@@ -124,12 +126,12 @@ class ResultFilesTest {
 
 	@Test
 	void contoursAreReadBack() throws IOException {
-		final Resolution resolution = resolution(RunOptions.parse(Map.of()));
+		final Tracks tracks = tracks(RunOptions.parse(Map.of()));
 		final Path file = home.resolve("c.csv");
-		ContoursCsv.write(file, MeasuredResolution.of(resolution, Progress.NONE));
+		ContoursCsv.write(file, MeasuredTracks.of(tracks, Progress.NONE));
 		final Map<Integer, Polyline> read = ContoursCsv.read(file);
 		assertEquals(List.of(1, 3), List.copyOf(read.keySet()));
-		final Polyline written = resolution.frames().get(2).contour().get();
+		final Polyline written = tracks.only().frames().get(2).contour().get();
 		assertEquals(written.size(), read.get(3).size());
 		for (int i = 0; i < written.size(); i++)
 			assertEquals(0, written.point(i).distanceTo(read.get(3).point(i)), 1e-3);
@@ -157,25 +159,22 @@ class ResultFilesTest {
 	}
 
 	/** Frame 1 along x, frame 2 lost, frame 3 along y and corrected. */
-	private static Resolution resolution(final RunOptions options) {
+	private static Tracks tracks(final RunOptions options) {
 		final Movie movie = new Movie("a movie.tif", ArrayImgs.unsignedBytes(40, 40, 3),
 			CALIBRATION);
-		return new Resolution(movie, options.parameters(movie), Optional.of(new Point(2, 5)), 20,
-			0.1,
-			List.of(frame(1, FrameStatus.RESOLVED, 1, 0),
-				TrackedFrame.without(2, FrameStatus.LOST, "Gone, it seems."),
-				frame(3, FrameStatus.CORRECTED, 0.6, 0.8)),
-			List.of());
+		return new Tracks(movie, options.parameters(movie), List.of(new FilamentTrack(1, Anchor.CLAMPED, Optional.of(new Point(2, 5)), 20, 0.1, List.of(frame(1, FrameStatus.RESOLVED, 1, 0),
+				Observation.without(2, FrameStatus.LOST, "Gone, it seems."),
+				frame(3, FrameStatus.CORRECTED, 0.6, 0.8)))), List.of());
 	}
 
-	private static TrackedFrame frame(final int number, final FrameStatus status, final double dx,
+	private static Observation frame(final int number, final FrameStatus status, final double dx,
 		final double dy) {
 		final double[] x = new double[21], y = new double[21];
 		for (int i = 0; i <= 20; i++) {
 			x[i] = 2 + dx * i;
 			y[i] = 5 + dy * i;
 		}
-		return new TrackedFrame(number, status, "", Optional.of(Polyline.of(x, y)), 2, 5, 1.25,
+		return new Observation(number, status, "", Optional.of(Polyline.of(x, y)), 2, 5, 1.25,
 			0.875);
 	}
 }

@@ -19,10 +19,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 import io.github.knotresolver.CancelledProgress;
-import io.github.knotresolver.image.Cleaning;
 import io.github.knotresolver.image.FrameCleaner;
 import io.github.knotresolver.image.Pixels;
-import io.github.knotresolver.mask.Segmentation.Steps;
+import io.github.knotresolver.model.Cleaning;
+import io.github.knotresolver.model.Segmentation;
+import io.github.knotresolver.model.Segmentation.Steps;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.skeleton.EndPixels;

@@ -18,9 +18,10 @@ import org.junit.jupiter.api.Test;
 import ij.IJ;
 import ij.ImagePlus;
 import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.image.Cleaning;
 import io.github.knotresolver.image.FrameCleaner;
 import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.model.Cleaning;
+import io.github.knotresolver.model.Segmentation;
 import io.github.knotresolver.skeleton.Skeletonize;
 
 /** What was seen in the pictures, kept as figures. */

@@ -13,15 +13,19 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.io.InputOptions;
 import io.github.knotresolver.io.RunOptions;
+import io.github.knotresolver.model.Anchor;
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.track.FrameStatus;
-import io.github.knotresolver.track.TrackedFrame;
 
 /**
  * Resolves movies for {@code scripts/benchmark}, all in one warm JVM: for every mode a
@@ -61,15 +65,15 @@ public final class BenchmarkMain {
 				final Movie movie = open(file);
 				final String name = file.getFileName().toString().replaceFirst("\\.tif$", "");
 				final long start = System.nanoTime();
-				final Resolution resolution = resolve(movie, options);
+				final Tracks tracks = resolve(movie, options);
 				final double seconds = (System.nanoTime() - start) * 1e-9;
 				final Path result = Files.createDirectories(folder.resolve(name));
-				writeContours(result.resolve("contours.csv"), resolution);
-				writeFrames(result.resolve("frames.csv"), resolution);
+				writeContours(result.resolve("contours.csv"), tracks);
+				writeFrames(result.resolve("frames.csv"), tracks);
 				runs.printf(Locale.ROOT, "%s,%.3f,\"%s\"%n", name, seconds,
-					resolution.resolved() > 0 ? "" : String.join(" ", resolution.notes()));
+					tracks.resolved() > 0 ? "" : String.join(" ", tracks.notes()));
 				System.err.printf(Locale.ROOT, "%s %s: %d frames, %.2f s%n", mode, name,
-					resolution.resolved(), seconds);
+					tracks.resolved(), seconds);
 			}
 		}
 	}
@@ -78,23 +82,23 @@ public final class BenchmarkMain {
 		return ImageMovie.of(ImageFile.open(file), InputOptions.DEFAULT);
 	}
 
-	private static Resolution resolve(final Movie movie, final Map<String, String> options) {
-		final Parameters parameters = RunOptions.parse(options).parameters(movie);
+	private static Tracks resolve(final Movie movie, final Map<String, String> options) {
+		final Settings parameters = RunOptions.parse(options).parameters(movie);
 		try {
 			return new FilamentResolver(parameters).resolve(movie, Progress.NONE);
 		} catch (final UserException e) {
-			final List<TrackedFrame> none = IntStream.rangeClosed(1, movie.size())
-				.mapToObj(f -> TrackedFrame.without(f, FrameStatus.LOST, e.getMessage())).toList();
-			return new Resolution(movie, parameters, Optional.empty(), Double.NaN, Double.NaN, none,
-				List.of(e.getMessage()));
+			final List<Observation> none = IntStream.rangeClosed(1, movie.size())
+				.mapToObj(f -> Observation.without(f, FrameStatus.LOST, e.getMessage())).toList();
+			return new Tracks(movie, parameters, List.of(new FilamentTrack(1, Anchor.CLAMPED, Optional.empty(),
+				Double.NaN, Double.NaN, none)), List.of(e.getMessage()));
 		}
 	}
 
-	private static void writeContours(final Path file, final Resolution resolution)
+	private static void writeContours(final Path file, final Tracks tracks)
 		throws IOException {
 		try (PrintStream csv = writer(file)) {
 			csv.println("filament,frame,index,x_px,y_px");
-			for (final TrackedFrame frame : resolution.frames())
+			for (final Observation frame : tracks.only().frames())
 				if (frame.contour().isPresent()) {
 					final Polyline c = frame.contour().get();
 					for (int i = 0; i < c.size(); i++)
@@ -104,11 +108,11 @@ public final class BenchmarkMain {
 		}
 	}
 
-	private static void writeFrames(final Path file, final Resolution resolution)
+	private static void writeFrames(final Path file, final Tracks tracks)
 		throws IOException {
 		try (PrintStream csv = writer(file)) {
 			csv.println("filament,frame,status,confidence");
-			for (final TrackedFrame frame : resolution.frames())
+			for (final Observation frame : tracks.only().frames())
 				csv.printf(Locale.ROOT, "1,%d,%s,%s%n", frame.frame(), frame.status().label(),
 					Double.isFinite(frame.confidence())
 						? String.format(Locale.ROOT, "%.6f", frame.confidence())

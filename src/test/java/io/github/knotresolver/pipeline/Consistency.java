@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.track.TrackedFrame;
+import io.github.knotresolver.model.Observation;
 
 /**
  * Judges the contours of a real movie without truth: a stabilised filament keeps its
@@ -26,14 +26,14 @@ record Consistency(double lengthVariation, List<Integer> off, List<Integer> jump
 	private static final int RADIUS = 8;
 	private static final int MARGIN = 6;
 
-	static Consistency of(final List<TrackedFrame> frames) {
-		final List<TrackedFrame> seen = frames.stream().filter(f -> f.contour().isPresent())
+	static Consistency of(final List<Observation> frames) {
+		final List<Observation> seen = frames.stream().filter(f -> f.contour().isPresent())
 			.toList();
 		final List<Polyline> curves = seen.stream().map(f -> f.contour().orElseThrow()).toList();
 		final double[] lengths = curves.stream().mapToDouble(c -> smooth(c).length()).toArray();
 		final double median = median(lengths);
 		final List<Integer> off = new ArrayList<>(
-			frames.stream().filter(f -> f.contour().isEmpty()).map(TrackedFrame::frame).toList());
+			frames.stream().filter(f -> f.contour().isEmpty()).map(Observation::frame).toList());
 		final List<Integer> jumps = new ArrayList<>();
 		double endStep = 0;
 		for (int i = 0; i < lengths.length; i++) {

@@ -24,17 +24,19 @@ import io.github.knotresolver.contour.DiscreteFrechet;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.DrawnMovie;
 import io.github.knotresolver.fit.LineModel;
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.CandidateMethod;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.LengthModel;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.ResolverMethod;
+import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.pipeline.Parameters.CandidateMethod;
-import io.github.knotresolver.pipeline.Parameters.LengthModel;
-import io.github.knotresolver.pipeline.Parameters.ResolverMethod;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.track.FrameStatus;
 
 class FilamentResolverTest {
 
@@ -51,12 +53,12 @@ class FilamentResolverTest {
 	void resolvesKnotsWithNothingTold(final LineModel.Kind kind) {
 		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(30, LENGTH, KNOTTED), List.of(),
 			LineModel.uniform(kind, 1.6, kind == LineModel.Kind.ADDITIVE ? 1 : 1.6), NOISE, 21);
-		final Resolution result = resolve(drawn, Parameters.DEFAULT);
-		assertTrue(result.frames().stream().anyMatch(f -> f.crossings() > 0),
+		final Tracks result = resolve(drawn, Settings.DEFAULT);
+		assertTrue(result.only().frames().stream().anyMatch(f -> f.crossings() > 0),
 			"no frame crosses itself");
 		assertFollows(drawn, result, Set.of());
-		assertEquals(LENGTH, result.length(), 0.01 * LENGTH);
-		assertEquals(0, result.fixedEnd().orElseThrow().distanceTo(new Point(22.4, 55.3)), 1);
+		assertEquals(LENGTH, result.only().length(), 0.01 * LENGTH);
+		assertEquals(0, result.only().fixedEnd().orElseThrow().distanceTo(new Point(22.4, 55.3)), 1);
 	}
 
 	@Test
@@ -64,7 +66,7 @@ class FilamentResolverTest {
 		final List<Chain> chains = IntStream.range(0, 24)
 			.mapToObj(t -> DrawnMovie.winding(3.2 * t, 75, 7)).toList();
 		final DrawnMovie drawn = DrawnMovie.draw(chains, List.of(), GAUSSIAN, NOISE, 31);
-		assertFollows(drawn, resolve(drawn, Parameters.DEFAULT), Set.of());
+		assertFollows(drawn, resolve(drawn, Settings.DEFAULT), Set.of());
 	}
 
 	@Test
@@ -72,8 +74,8 @@ class FilamentResolverTest {
 		final List<Chain> chains = IntStream.range(0, 5)
 			.mapToObj(t -> DrawnMovie.winding(16 * t, 80, 9)).toList();
 		final DrawnMovie drawn = DrawnMovie.draw(chains, List.of(), GAUSSIAN, NOISE, 32);
-		final Resolution result = resolve(drawn, Parameters.DEFAULT);
-		assertEquals(0, result.fixedEnd().orElseThrow().distanceTo(new Point(22.4, 55.3)), 1);
+		final Tracks result = resolve(drawn, Settings.DEFAULT);
+		assertEquals(0, result.only().fixedEnd().orElseThrow().distanceTo(new Point(22.4, 55.3)), 1);
 		assertFollows(drawn, result, Set.of());
 	}
 
@@ -81,9 +83,9 @@ class FilamentResolverTest {
 	void aFilamentInStrongNoiseKeepsItsLength() {
 		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(20, LENGTH, 2), List.of(),
 			GAUSSIAN, 0.42, 33);
-		final Resolution result = resolve(drawn, Parameters.DEFAULT);
+		final Tracks result = resolve(drawn, Settings.DEFAULT);
 		assertFollows(drawn, result, Set.of());
-		assertEquals(LENGTH, result.length(), 0.02 * LENGTH);
+		assertEquals(LENGTH, result.only().length(), 0.02 * LENGTH);
 	}
 
 	@Test
@@ -98,7 +100,7 @@ class FilamentResolverTest {
 				new double[]{at.y() + 12 + away, at.y() + away}), 10, 34)));
 		}
 		final DrawnMovie drawn = DrawnMovie.draw(chains, foreign, GAUSSIAN, NOISE, 22);
-		assertFollows(drawn, resolve(drawn, Parameters.DEFAULT), Set.of());
+		assertFollows(drawn, resolve(drawn, Settings.DEFAULT), Set.of());
 	}
 
 	@Test
@@ -107,9 +109,9 @@ class FilamentResolverTest {
 		chains.set(8, null);
 		chains.set(9, null);
 		final DrawnMovie drawn = DrawnMovie.draw(chains, List.of(), GAUSSIAN, NOISE, 23);
-		final Resolution result = resolve(drawn, Parameters.DEFAULT);
-		assertEquals(FrameStatus.LOST, result.frames().get(8).status());
-		assertEquals(FrameStatus.LOST, result.frames().get(9).status());
+		final Tracks result = resolve(drawn, Settings.DEFAULT);
+		assertEquals(FrameStatus.LOST, result.only().frames().get(8).status());
+		assertEquals(FrameStatus.LOST, result.only().frames().get(9).status());
 		assertFollows(drawn, result, Set.of(9, 10));
 	}
 
@@ -117,12 +119,12 @@ class FilamentResolverTest {
 	void framesAreLeftOutAsAskedButHaveARow() {
 		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(12, LENGTH, 0.8), List.of(),
 			GAUSSIAN, NOISE, 24);
-		final Resolution result = resolve(drawn, with(new TreeSet<>(Set.of(1, 2, 3, 4, 5, 6, 7, 8)),
+		final Tracks result = resolve(drawn, with(new TreeSet<>(Set.of(1, 2, 3, 4, 5, 6, 7, 8)),
 			new TreeSet<>(Set.of(3)), Map.of()));
-		assertEquals(12, result.frames().size());
+		assertEquals(12, result.only().frames().size());
 		assertEquals(7, result.resolved());
-		assertEquals(FrameStatus.IGNORED, result.frames().get(2).status());
-		assertEquals(FrameStatus.IGNORED, result.frames().get(11).status());
+		assertEquals(FrameStatus.IGNORED, result.only().frames().get(2).status());
+		assertEquals(FrameStatus.IGNORED, result.only().frames().get(11).status());
 	}
 
 	@Test
@@ -130,9 +132,9 @@ class FilamentResolverTest {
 		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(12, LENGTH, 0.8), List.of(),
 			GAUSSIAN, NOISE, 25);
 		final Polyline given = drawn.truth().get(4).divided(15);
-		final Resolution result = resolve(drawn,
+		final Tracks result = resolve(drawn,
 			with(new TreeSet<>(), new TreeSet<>(), Map.of(5, given)));
-		assertEquals(FrameStatus.CORRECTED, result.frames().get(4).status());
+		assertEquals(FrameStatus.CORRECTED, result.only().frames().get(4).status());
 		assertFollows(drawn, result, Set.of());
 	}
 
@@ -142,13 +144,11 @@ class FilamentResolverTest {
 		for (int t = 0; t < 25; t++)
 			chains.add(DrawnMovie.wave(t, 60 + t, 0.8));
 		final DrawnMovie drawn = DrawnMovie.draw(chains, List.of(), GAUSSIAN, NOISE, 26);
-		final Parameters d = Parameters.DEFAULT;
-		final Resolution result = resolve(drawn,
-			new Parameters(d.fixedEnd(), d.cleaning(), d.segmentation(), d.candidates(),
-				d.resolver(), d.length(), LengthModel.FREE, true, d.frames(), d.ignoreFrames(),
-				d.corrections(), 2));
+		final Settings d = Settings.DEFAULT;
+		final Tracks result = resolve(drawn,
+			d.edit().lengthModel(LengthModel.FREE).threads(2).build());
 		for (int t = 0; t < 25; t++)
-			assertEquals(60 + t, result.frames().get(t).contour().orElseThrow().length(), 2,
+			assertEquals(60 + t, result.only().frames().get(t).contour().orElseThrow().length(), 2,
 				"length in frame " + (t + 1));
 	}
 
@@ -159,11 +159,9 @@ class FilamentResolverTest {
 		for (final boolean refine : new boolean[]{false, true})
 			for (final ResolverMethod resolver : ResolverMethod.values())
 				for (final CandidateMethod candidates : CandidateMethod.values()) {
-					final Parameters d = Parameters.DEFAULT;
-					final Resolution result = resolve(drawn,
-						new Parameters(d.fixedEnd(), d.cleaning(), d.segmentation(), candidates,
-							resolver, d.length(), d.lengthModel(), refine, d.frames(),
-							d.ignoreFrames(), d.corrections(), 2));
+					final Settings d = Settings.DEFAULT;
+					final Tracks result = resolve(drawn,
+						d.edit().candidates(candidates).resolver(resolver).refine(refine).threads(2).build());
 					assertFollows(drawn, result, Set.of());
 				}
 	}
@@ -172,7 +170,7 @@ class FilamentResolverTest {
 	void aMovieWithoutAnythingSaysSo() {
 		final Movie empty = new Movie("nothing", ArrayImgs.floats(50, 40, 6), Calibration.NONE);
 		final String message = assertThrows(UserException.class,
-			() -> new FilamentResolver(Parameters.DEFAULT).resolve(empty, Progress.NONE))
+			() -> new FilamentResolver(Settings.DEFAULT).resolve(empty, Progress.NONE))
 			.getMessage();
 		assertTrue(message.startsWith("No filament was found in 'nothing'"), message);
 	}
@@ -181,10 +179,8 @@ class FilamentResolverTest {
 	void whatDoesNotFitTheMovieIsNamed() {
 		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(3, LENGTH, 0.8), List.of(),
 			GAUSSIAN, NOISE, 28);
-		final Parameters d = Parameters.DEFAULT;
-		final Parameters outside = new Parameters(Optional.of(new Point(500, 3)), d.cleaning(),
-			d.segmentation(), d.candidates(), d.resolver(), OptionalDouble.empty(), d.lengthModel(),
-			true, d.frames(), d.ignoreFrames(), d.corrections(), 1);
+		final Settings d = Settings.DEFAULT;
+		final Settings outside = d.edit().fixedEnd(Optional.of(new Point(500, 3))).threads(1).build();
 		assertMessage(drawn, outside, "500.0,3.0");
 		assertMessage(drawn, with(new TreeSet<>(Set.of(4)), new TreeSet<>(), Map.of()), "frame 4");
 		assertMessage(drawn, with(new TreeSet<>(Set.of(1)), new TreeSet<>(Set.of(1)), Map.of()),
@@ -208,26 +204,22 @@ class FilamentResolverTest {
 		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(8, LENGTH, 0.8), List.of(),
 			GAUSSIAN, NOISE, 31);
 		final Polyline given = Polyline.of(new double[]{22.4, 5}, new double[]{55.3, 105});
-		final Resolution result = resolve(drawn,
+		final Tracks result = resolve(drawn,
 			with(new TreeSet<>(), new TreeSet<>(), Map.of(3, given)));
-		assertEquals(FrameStatus.CORRECTED, result.frames().get(2).status());
-		assertEquals("Given by the user.", result.frames().get(2).reason());
+		assertEquals(FrameStatus.CORRECTED, result.only().frames().get(2).status());
+		assertEquals("Given by the user.", result.only().frames().get(2).reason());
 	}
 
 	@Test
 	void aToldEndOrLengthThatCannotBeIsRefused() {
 		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(4, LENGTH, 0.8), List.of(),
 			GAUSSIAN, NOISE, 32);
-		final Parameters d = Parameters.DEFAULT;
+		final Settings d = Settings.DEFAULT;
 		assertMessage(drawn,
-			new Parameters(Optional.of(new Point(5, 104)), d.cleaning(), d.segmentation(),
-				d.candidates(), d.resolver(), d.length(), d.lengthModel(), true, d.frames(),
-				d.ignoreFrames(), d.corrections(), 1),
+			d.edit().fixedEnd(Optional.of(new Point(5, 104))).threads(1).build(),
 			"px from any object");
 		assertMessage(drawn,
-			new Parameters(d.fixedEnd(), d.cleaning(), d.segmentation(), d.candidates(),
-				d.resolver(), OptionalDouble.of(15000), d.lengthModel(), true, d.frames(),
-				d.ignoreFrames(), d.corrections(), 1),
+			d.edit().length(OptionalDouble.of(15000)).threads(1).build(),
 			"far too long");
 	}
 
@@ -235,12 +227,10 @@ class FilamentResolverTest {
 	void aWrongLengthCostsConfidence() {
 		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(8, LENGTH, 0.8), List.of(),
 			GAUSSIAN, NOISE, 33);
-		final Parameters d = Parameters.DEFAULT;
-		final Resolution result = resolve(drawn,
-			new Parameters(d.fixedEnd(), d.cleaning(), d.segmentation(), d.candidates(),
-				d.resolver(), OptionalDouble.of(LENGTH / 3), d.lengthModel(), true, d.frames(),
-				d.ignoreFrames(), d.corrections(), 2));
-		result.frames().forEach(f -> assertTrue(f.contour().isEmpty() || f.confidence() < 0.5,
+		final Settings d = Settings.DEFAULT;
+		final Tracks result = resolve(drawn,
+			d.edit().length(OptionalDouble.of(LENGTH / 3)).threads(2).build());
+		result.only().frames().forEach(f -> assertTrue(f.contour().isEmpty() || f.confidence() < 0.5,
 			"frame " + f.frame() + " is sure of it: " + f.confidence()));
 	}
 
@@ -261,37 +251,36 @@ class FilamentResolverTest {
 			}
 		};
 		assertThrows(CancelledException.class,
-			() -> new FilamentResolver(Parameters.DEFAULT).resolve(drawn.movie(), impatient));
+			() -> new FilamentResolver(Settings.DEFAULT).resolve(drawn.movie(), impatient));
 	}
 
-	private static void assertMessage(final DrawnMovie drawn, final Parameters parameters,
+	private static void assertMessage(final DrawnMovie drawn, final Settings parameters,
 		final String part) {
 		final String message = assertThrows(UserException.class,
 			() -> resolve(drawn, parameters)).getMessage();
 		assertTrue(message.contains(part), message);
 	}
 
-	private static Parameters with(final SortedSet<Integer> frames,
+	private static Settings with(final SortedSet<Integer> frames,
 		final SortedSet<Integer> ignored, final Map<Integer, Polyline> corrections) {
-		final Parameters d = Parameters.DEFAULT;
-		return new Parameters(d.fixedEnd(), d.cleaning(), d.segmentation(), d.candidates(),
-			d.resolver(), d.length(), d.lengthModel(), true, frames, ignored, corrections, 2);
+		final Settings d = Settings.DEFAULT;
+		return d.edit().frames(frames).ignoreFrames(ignored).corrections(corrections).threads(2).build();
 	}
 
-	private static Resolution resolve(final DrawnMovie drawn, final Parameters parameters) {
+	private static Tracks resolve(final DrawnMovie drawn, final Settings parameters) {
 		return new FilamentResolver(parameters).resolve(drawn.movie(), Progress.NONE);
 	}
 
-	private static void assertFollows(final DrawnMovie drawn, final Resolution result,
+	private static void assertFollows(final DrawnMovie drawn, final Tracks result,
 		final Set<Integer> without) {
 		for (int t = 0; t < drawn.truth().size(); t++) {
 			if (without.contains(t + 1))
 				continue;
-			final Polyline contour = result.frames().get(t).contour().orElseThrow().resampled(1);
+			final Polyline contour = result.only().frames().get(t).contour().orElseThrow().resampled(1);
 			final double distance = DiscreteFrechet.distance(contour,
 				drawn.truth().get(t).resampled(1));
 			assertTrue(distance < 5,
-				"frame " + (t + 1) + " is off by " + distance + " px with " + result.parameters());
+				"frame " + (t + 1) + " is off by " + distance + " px with " + result.settings());
 		}
 	}
 }

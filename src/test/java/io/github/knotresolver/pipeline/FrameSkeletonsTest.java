@@ -19,8 +19,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 import io.github.knotresolver.fit.DrawnMovie;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.io.RunOptions;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
 
 class FrameSkeletonsTest {
@@ -52,7 +54,7 @@ class FrameSkeletonsTest {
 	@ParameterizedTest
 	@ValueSource(strings = {"threshold", "active-contour"})
 	void baselinesRunThroughThePipeline(final String steps) {
-		final Resolution result = new FilamentResolver(parameters(drawn.movie(), steps))
+		final Tracks result = new FilamentResolver(parameters(drawn.movie(), steps))
 			.resolve(drawn.movie(), Progress.NONE);
 		assertEquals(FRAMES, result.resolved());
 	}
@@ -61,7 +63,7 @@ class FrameSkeletonsTest {
 		return FrameSkeletons.of(movie, parameters(movie, steps), Progress.NONE);
 	}
 
-	private static Parameters parameters(final Movie movie, final String steps) {
+	private static Settings parameters(final Movie movie, final String steps) {
 		return RunOptions.parse(Map.of("segmentation", steps, "candidates", "paper", "resolver",
 			"paper", "refine", "no", "fixed_end", "22,55")).parameters(movie);
 	}

@@ -15,6 +15,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.io.InputOptions;
+import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -34,10 +36,10 @@ class RealMoviesTest {
 		final double lengthVariation) {
 		final Path file = DATA.resolve(name + ".tif");
 		assumeTrue(Files.exists(file), "Not here: " + file);
-		final Resolution resolution = new FilamentResolver(Parameters.DEFAULT)
+		final Tracks tracks = new FilamentResolver(Settings.DEFAULT)
 			.resolve(ImageMovie.of(ImageFile.open(file), InputOptions.DEFAULT), Progress.NONE);
-		final Consistency consistency = Consistency.of(resolution.frames());
-		assertAll(name, () -> assertEquals(frames, resolution.resolved(), "frames with a contour"),
+		final Consistency consistency = Consistency.of(tracks.only().frames());
+		assertAll(name, () -> assertEquals(frames, tracks.resolved(), "frames with a contour"),
 			() -> assertEquals(List.of(), consistency.off(), "frames of another length"),
 			() -> assertEquals(List.of(), consistency.jumps(), "frames where the turning jumps"),
 			() -> assertTrue(consistency.lengthVariation() <= lengthVariation,

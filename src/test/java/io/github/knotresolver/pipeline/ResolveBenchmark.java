@@ -15,11 +15,13 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.imagej.SampleMovie;
 import io.github.knotresolver.io.InputOptions;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -53,7 +55,7 @@ public class ResolveBenchmark {
 
 	/** All frames, with nothing told. */
 	@Benchmark
-	public Resolution resolve() {
-		return new FilamentResolver(Parameters.DEFAULT).resolve(frames, Progress.NONE);
+	public Tracks resolve() {
+		return new FilamentResolver(Settings.DEFAULT).resolve(frames, Progress.NONE);
 	}
 }

@@ -18,13 +18,15 @@ import org.junit.jupiter.api.io.TempDir;
 import io.github.knotresolver.evaluate.Evaluation;
 import io.github.knotresolver.evaluate.EvaluationSummary;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.imagej.SampleMovie;
 import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.InputOptions;
-import io.github.knotresolver.io.MeasuredResolution;
+import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.RunOptions;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
 
 /** The sample movie, whose truth is known, with nothing told. */
@@ -41,7 +43,7 @@ class SampleTest {
 	@Test
 	void everyFrameIsResolved() throws IOException {
 		final SortedMap<Integer, Polyline> found = new TreeMap<>();
-		resolve(2).frames().forEach(f -> f.contour().ifPresent(c -> found.put(f.frame(), c)));
+		resolve(2).only().frames().forEach(f -> f.contour().ifPresent(c -> found.put(f.frame(), c)));
 		final SortedMap<Integer, Polyline> truth = truth();
 		final EvaluationSummary scores = Evaluation.of(truth, found, Progress.NONE).summary();
 		assertEquals(truth.size(), scores.framesPresent(), "frames with a contour");
@@ -62,13 +64,13 @@ class SampleTest {
 
 	private byte[] contours(final int threads) throws IOException {
 		final Path file = folder.resolve(threads + ".csv");
-		ContoursCsv.write(file, MeasuredResolution.of(resolve(threads), Progress.NONE));
+		ContoursCsv.write(file, MeasuredTracks.of(resolve(threads), Progress.NONE));
 		return Files.readAllBytes(file);
 	}
 
-	private static Resolution resolve(final int threads) {
+	private static Tracks resolve(final int threads) {
 		final Movie movie = ImageMovie.of(SampleMovie.open(), InputOptions.DEFAULT);
-		final Parameters parameters = RunOptions.parse(Map.of("threads", "" + threads))
+		final Settings parameters = RunOptions.parse(Map.of("threads", "" + threads))
 			.parameters(movie);
 		return new FilamentResolver(parameters).resolve(movie, Progress.NONE);
 	}

@@ -6,8 +6,8 @@ import java.util.stream.Stream;
 
 import net.imglib2.view.Views;
 
-import io.github.knotresolver.geometry.Calibration;
-import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.simulate.SimulatedMovie;
 
 /**

@@ -5,9 +5,9 @@ import java.util.Map;
 import java.util.TreeMap;
 
 import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.io.RunOptions;
-import io.github.knotresolver.pipeline.Parameters;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Settings;
 
 /** What is compared: options of the pipeline, as a user would give them. */
 public enum Method {
@@ -46,7 +46,7 @@ public enum Method {
 	}
 
 	/** @return the pipeline's parameters */
-	Parameters parameters(final Movie movie, final Point clampedEnd) {
+	Settings parameters(final Movie movie, final Point clampedEnd) {
 		final Map<String, String> texts = new TreeMap<>(options);
 		if (this != OURS)
 			texts.putAll(Map.of("candidates", "paper", "resolver", "paper"));

@@ -12,14 +12,14 @@ import io.github.knotresolver.evaluate.CurveScore;
 import io.github.knotresolver.evaluate.SkeletonScore;
 import io.github.knotresolver.geometry.Crossings;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.pipeline.FilamentResolver;
 import io.github.knotresolver.pipeline.FrameSkeletons;
-import io.github.knotresolver.pipeline.Parameters;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.simulate.SimulatedMovie;
-import io.github.knotresolver.track.FrameStatus;
-import io.github.knotresolver.track.TrackedFrame;
 
 /** One method on one movie, judged frame by frame. */
 final class Trial {
@@ -40,12 +40,12 @@ final class Trial {
 
 	/** @return a row for every frame that the method sees */
 	List<FrameResult> run() {
-		final Parameters parameters = method.parameters(movie.movie(),
+		final Settings parameters = method.parameters(movie.movie(),
 			movie.truth().get(0).first());
 		return method.resolves() ? contours(parameters) : skeletons(parameters);
 	}
 
-	private List<FrameResult> skeletons(final Parameters parameters) {
+	private List<FrameResult> skeletons(final Settings parameters) {
 		final List<Img<BitType>> skeletons = FrameSkeletons.of(movie.movie(), parameters,
 			Progress.NONE);
 		final List<FrameResult> results = new ArrayList<>();
@@ -68,9 +68,9 @@ final class Trial {
 		return pixels;
 	}
 
-	private List<FrameResult> contours(final Parameters parameters) {
+	private List<FrameResult> contours(final Settings parameters) {
 		final List<FrameResult> results = new ArrayList<>();
-		for (final TrackedFrame frame : frames(parameters)) {
+		for (final Observation frame : frames(parameters)) {
 			final int t = frame.frame() - 1;
 			results.add(frame.contour().filter(c -> c.length() > 0).map(c -> contour(t, c))
 				.orElseGet(() -> result(t, 0, Double.POSITIVE_INFINITY, new double[0])));
@@ -79,13 +79,13 @@ final class Trial {
 	}
 
 	/** What the pipeline finds; if it refuses the movie, nothing in any frame. */
-	private List<TrackedFrame> frames(final Parameters parameters) {
+	private List<Observation> frames(final Settings parameters) {
 		try {
-			return new FilamentResolver(parameters).resolve(movie.movie(), Progress.NONE).frames();
+			return new FilamentResolver(parameters).resolve(movie.movie(), Progress.NONE).only().frames();
 		} catch (final UserException e) {
 			System.err.println(method.label() + " on " + series + ": " + e.getMessage());
 			return IntStream.rangeClosed(1, movie.truth().size())
-				.mapToObj(f -> TrackedFrame.without(f, FrameStatus.LOST, e.getMessage())).toList();
+				.mapToObj(f -> Observation.without(f, FrameStatus.LOST, e.getMessage())).toList();
 		}
 	}
 

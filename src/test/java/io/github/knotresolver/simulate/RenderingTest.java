@@ -13,8 +13,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 

@@ -21,6 +21,8 @@ import io.github.knotresolver.contour.DiscreteFrechet;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.SkeletonGraph;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 
@@ -49,7 +51,7 @@ class ResolverTest {
 		return new ResolverQuery(frames, FIXED, OptionalDouble.empty(), Map.of());
 	}
 
-	private static void assertResolved(final Polyline truth, final TrackedFrame frame) {
+	private static void assertResolved(final Polyline truth, final Observation frame) {
 		assertEquals(FrameStatus.RESOLVED, frame.status(), "frame " + frame.frame());
 		assertEquals("", frame.reason());
 		assertTrue(DiscreteFrechet.distance(truth.resampled(1), frame.contour().orElseThrow()) < 6,
@@ -139,7 +141,7 @@ class ResolverTest {
 	@Test
 	void greedyNeedsAnUnbranchedFrameFirst() {
 		final Polyline[] truth = {knot(0), knot(0), OPEN, knot(0)};
-		final List<TrackedFrame> frames = PAPER.resolve(query(truth), Progress.NONE).frames();
+		final List<Observation> frames = PAPER.resolve(query(truth), Progress.NONE).frames();
 		assertEquals(FrameStatus.UNRESOLVED, frames.get(0).status());
 		assertTrue(frames.get(0).reason().contains("correct"));
 		assertEquals(FrameStatus.UNRESOLVED, frames.get(1).status());
@@ -152,7 +154,7 @@ class ResolverTest {
 	@Test
 	void greedyGoesOnFromACorrection() {
 		final ResolverQuery q = query(knot(0), knot(2), knot(4));
-		final List<TrackedFrame> frames = PAPER.resolve(new ResolverQuery(q.frames(), FIXED,
+		final List<Observation> frames = PAPER.resolve(new ResolverQuery(q.frames(), FIXED,
 			OptionalDouble.empty(), Map.of(1, knot(0).resampled(1))), Progress.NONE).frames();
 		assertEquals(FrameStatus.CORRECTED, frames.get(0).status());
 		assertResolved(knot(2), frames.get(1));

@@ -19,11 +19,11 @@ import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.graph.SkeletonGraph;
-import io.github.knotresolver.image.Cleaning;
 import io.github.knotresolver.image.FrameCleaner;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.mask.FilamentSegmenter;
-import io.github.knotresolver.mask.Segmentation;
+import io.github.knotresolver.model.Cleaning;
+import io.github.knotresolver.model.Segmentation;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.skeleton.Skeletonize;
 

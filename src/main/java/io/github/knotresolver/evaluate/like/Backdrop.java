@@ -7,8 +7,8 @@ import java.util.Optional;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.model.Movie;
 
 /**
  * A movie with its filament taken out: pixels near the contour come from the

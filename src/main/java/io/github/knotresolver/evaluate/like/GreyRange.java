@@ -1,7 +1,7 @@
 package io.github.knotresolver.evaluate.like;
 
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.model.Movie;
 
 /**
  * The grey values that a movie uses.

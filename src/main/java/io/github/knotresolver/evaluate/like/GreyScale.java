@@ -3,7 +3,7 @@ package io.github.knotresolver.evaluate.like;
 import net.imglib2.type.numeric.IntegerType;
 import net.imglib2.type.numeric.integer.UnsignedByteType;
 
-import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.simulate.BitDepth;
 
 /**

@@ -6,9 +6,9 @@ import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.pipeline.Parameters;
 
 /**
  * A user's finished result: what the simulated movies are to resemble.
@@ -18,7 +18,7 @@ import io.github.knotresolver.pipeline.Parameters;
  *          empty where a frame has none
  * @param parameters what it was resolved with
  */
-public record LikeSource(Movie movie, List<Optional<Polyline>> contours, Parameters parameters) {
+public record LikeSource(Movie movie, List<Optional<Polyline>> contours, Settings parameters) {
 
 	/** Fewest pairs of neighbouring frames that tell a motion. */
 	private static final int FEWEST_PAIRS = 2;

@@ -8,22 +8,22 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.TreeSet;
+import java.util.Set;
 
 import io.github.knotresolver.evaluate.Evaluation;
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.pipeline.Parameters;
-import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.simulate.Canvas;
 import io.github.knotresolver.simulate.FilamentSimulator;
 import io.github.knotresolver.simulate.SimulatedMovie;
 import io.github.knotresolver.simulate.Trajectory;
-import io.github.knotresolver.track.TrackedFrame;
 
 /**
  * Simulates movies that resemble a user's, resolves them with the user's
@@ -54,7 +54,7 @@ public final class LikeStudy {
 		 * @return the result
 		 * @throws UserException if no filament is found
 		 */
-		Resolution resolve(Movie movie, Parameters parameters, Progress progress);
+		Tracks resolve(Movie movie, Settings parameters, Progress progress);
 	}
 
 	private final LikeSource source;
@@ -168,8 +168,8 @@ public final class LikeStudy {
 		final List<Double> confidence = new ArrayList<>();
 		Optional<String> refusal = Optional.empty();
 		try {
-			for (final TrackedFrame f : engine
-				.resolve(simulated.movie(), parameters(simulated), progress).frames()) {
+			for (final Observation f : engine
+				.resolve(simulated.movie(), parameters(simulated), progress).only().frames()) {
 				f.contour().ifPresent(contour -> found.put(f.frame(), contour));
 				confidence.add(f.confidence());
 			}
@@ -192,12 +192,13 @@ public final class LikeStudy {
 	}
 
 	/** The user's, in one thread; what was told of places and frames cannot be told again. */
-	private Parameters parameters(final SimulatedMovie simulated) {
-		final Parameters p = source.parameters();
+	private Settings parameters(final SimulatedMovie simulated) {
+		final Settings p = source.parameters();
 		final Polyline first = simulated.truth().get(0);
-		return new Parameters(p.fixedEnd().map(told -> first.first()), p.cleaning(),
-			p.segmentation(), p.candidates(), p.resolver(),
-			p.length().isPresent() ? OptionalDouble.of(first.length()) : OptionalDouble.empty(),
-			p.lengthModel(), p.refine(), new TreeSet<>(), new TreeSet<>(), Map.of(), 1);
+		return p.edit().fixedEnd(p.fixedEnd().map(told -> first.first())).region(Optional.empty())
+			.length(p.length().isPresent()
+				? OptionalDouble.of(first.length())
+				: OptionalDouble.empty())
+			.frames(Set.of()).ignoreFrames(Set.of()).corrections(Map.of()).threads(1).build();
 	}
 }

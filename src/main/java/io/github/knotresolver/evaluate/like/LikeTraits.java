@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.Movie;
 
 /**
  * What is compared between the user's movie and the simulated ones, measured

@@ -6,8 +6,8 @@ import java.util.DoubleSummaryStatistics;
 import ij.ImagePlus;
 import ij.gui.ImageCanvas;
 import ij.process.FloatProcessor;
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.measure.Kymograph;
+import io.github.knotresolver.model.Calibration;
 
 /**
  * A kymograph as a 32-bit image to measure on: arc length to the right, time

@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.io.ContourInput;
 import io.github.knotresolver.io.MeasurementTables;
@@ -16,6 +15,7 @@ import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.measure.OriginalQuantities;
 import io.github.knotresolver.measure.Quantity;
+import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.progress.Progress;
 
 /** Measurements as a folder of tables and figures, and in a few lines. */

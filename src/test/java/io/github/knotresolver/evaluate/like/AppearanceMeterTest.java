@@ -13,9 +13,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.simulate.BitDepth;

@@ -23,12 +23,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 import io.github.knotresolver.CancelledProgress;
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
+import io.github.knotresolver.model.Anchor;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.pipeline.Parameters;
-import io.github.knotresolver.pipeline.Resolution;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.simulate.BitDepth;
@@ -40,8 +44,6 @@ import io.github.knotresolver.simulate.Optics;
 import io.github.knotresolver.simulate.SimulatedMovie;
 import io.github.knotresolver.simulate.SimulationParameters;
 import io.github.knotresolver.simulate.Trajectory;
-import io.github.knotresolver.track.FrameStatus;
-import io.github.knotresolver.track.TrackedFrame;
 
 /** A simulated movie stands for the user's; the study must find back how it was made. */
 class LikeStudyTest {
@@ -83,23 +85,21 @@ class LikeStudyTest {
 	}
 
 	private static LikeSource source(final SimulatedMovie movie, final int threads) {
-		final Parameters d = Parameters.DEFAULT;
+		final Settings d = Settings.DEFAULT;
 		return new LikeSource(movie.movie(), movie.truth().stream().map(Optional::of).toList(),
-			new Parameters(d.fixedEnd(), d.cleaning(), d.segmentation(), d.candidates(),
-				d.resolver(), d.length(), d.lengthModel(), d.refine(), d.frames(), d.ignoreFrames(),
-				d.corrections(), threads));
+			d.edit().threads(threads).build());
 	}
 
 	/** A resolver that finds the filament in even frames, but beside it in every fourth. */
-	private static Resolution stub(final Movie movie, final Parameters parameters) {
-		final List<TrackedFrame> frames = new ArrayList<>();
+	private static Tracks stub(final Movie movie, final Settings parameters) {
+		final List<Observation> frames = new ArrayList<>();
 		for (int frame = 1; frame <= movie.size(); frame++)
 			frames.add(frame % 2 == 1
-				? TrackedFrame.without(frame, FrameStatus.LOST, "Not looked for.")
-				: new TrackedFrame(frame, FrameStatus.RESOLVED, "",
+				? Observation.without(frame, FrameStatus.LOST, "Not looked for.")
+				: new Observation(frame, FrameStatus.RESOLVED, "",
 					Optional.of(Polyline.of(new double[]{0, 50}, new double[]{0, 0})), 0, 1, 0,
 					frame % 4 == 0 ? 0.2 : 0.4));
-		return new Resolution(movie, parameters, Optional.empty(), 50, 1, frames, List.of());
+		return new Tracks(movie, parameters, List.of(new FilamentTrack(1, Anchor.CLAMPED, Optional.empty(), 50, 1, frames)), List.of());
 	}
 
 	@Test
@@ -211,7 +211,7 @@ class LikeStudyTest {
 	private static void assertRefused(final String start, final Movie movie,
 		final List<Optional<Polyline>> contours) {
 		final String message = assertThrows(UserException.class,
-			() -> new LikeSource(movie, contours, Parameters.DEFAULT)).getMessage();
+			() -> new LikeSource(movie, contours, Settings.DEFAULT)).getMessage();
 		assertTrue(message.startsWith(start), message);
 	}
 }

@@ -13,18 +13,18 @@ import java.util.Optional;
 import java.util.TreeSet;
 
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
 import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.imagej.accuracy.Coverage.Tally;
 import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.InputOptions;
-import io.github.knotresolver.io.MeasuredResolution;
+import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.measure.DominantFrequency;
 import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.measure.Quantity;
 import io.github.knotresolver.measure.TravellingWave;
+import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.pipeline.FilamentResolver;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.simulate.FilamentProperties;
@@ -98,9 +98,9 @@ public final class MeasurementAccuracyMain {
 		final Coverage coverage = new Coverage();
 		final SimulatedMovie movie = pictures.movie(filament(filament, frames),
 			FIRST_SEED + filament);
-		final MeasuredResolution result = measured(movie.movie());
+		final MeasuredTracks result = measured(movie.movie());
 		for (int t = 0; t < movie.truth().size(); t++) {
-			final Optional<Polyline> contour = result.resolution().frames().get(t).contour();
+			final Optional<Polyline> contour = result.tracks().only().frames().get(t).contour();
 			if (contour.isPresent())
 				coverage.add(result.measurements().orElseThrow().frames().get(t), contour.get(),
 					movie.truth().get(t), movie.movie().calibration().pixelSize());
@@ -117,8 +117,8 @@ public final class MeasurementAccuracyMain {
 			.run(Progress.NONE);
 	}
 
-	private static MeasuredResolution measured(final Movie movie) {
-		return MeasuredResolution
+	private static MeasuredTracks measured(final Movie movie) {
+		return MeasuredTracks
 			.of(new FilamentResolver(RunOptions.parse(Map.of()).parameters(movie)).resolve(movie,
 				Progress.NONE), Progress.NONE);
 	}
@@ -161,11 +161,11 @@ public final class MeasurementAccuracyMain {
 			final Map<Integer, Polyline> truth = ContoursCsv
 				.read(folder.resolve(name.replaceFirst("_snr.*", "") + "_gt.csv"));
 			final Coverage coverage = new Coverage();
-			final MeasuredResolution result = measured(
+			final MeasuredTracks result = measured(
 				ImageMovie.of(ImageFile.open(file), InputOptions.DEFAULT));
 			for (final Map.Entry<Integer, Polyline> t : truth.entrySet()) {
 				final int i = t.getKey() - 1;
-				result.resolution().frames().get(i).contour().ifPresent(
+				result.tracks().only().frames().get(i).contour().ifPresent(
 					c -> coverage.add(result.measurements().orElseThrow().frames().get(i), c,
 						t.getValue(), result.calibration().pixelSize()));
 			}

@@ -17,9 +17,9 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import org.openjdk.jmh.infra.Blackhole;
 
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.measure.MovieMeasurements;
+import io.github.knotresolver.model.Calibration;
 
 /**
  * Guards the promise that 1000 frames of 500 points are measured and plotted in

@@ -1,9 +1,7 @@
-package io.github.knotresolver.mask;
+package io.github.knotresolver.model;
 
 import java.util.Objects;
 import java.util.OptionalDouble;
-
-import io.github.knotresolver.model.UserException;
 
 /**
  * Parameters of finding the filament's mask.

@@ -1,5 +1,6 @@
-package io.github.knotresolver.pipeline;
+package io.github.knotresolver.model;
 
+import java.util.Optional;
 import java.util.TreeMap;
 
 import net.imglib2.RandomAccessibleInterval;
@@ -7,8 +8,6 @@ import net.imglib2.view.Views;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.image.Movie;
-import io.github.knotresolver.model.UserException;
 
 /**
  * The part of a movie that a search is limited to, in pixels; results are in the
@@ -68,17 +67,16 @@ public record Region(int x, int y, int width, int height) {
 	}
 
 	/**
-	 * @param p parameters of the whole movie
-	 * @return the parameters in this part's own pixels
+	 * @param p settings of the whole movie
+	 * @return the settings in this part's own pixels, where the whole is searched
 	 * @throws UserException if the fixed end lies outside, in one
 	 *           sentence
 	 */
-	public Parameters of(final Parameters p) {
+	public Settings of(final Settings p) {
 		final var corrections = new TreeMap<Integer, Polyline>();
 		p.corrections().forEach((frame, c) -> corrections.put(frame, moved(c, -x, -y)));
-		return new Parameters(p.fixedEnd().map(this::inside), p.cleaning(), p.segmentation(),
-			p.candidates(), p.resolver(), p.length(), p.lengthModel(), p.refine(), p.frames(),
-			p.ignoreFrames(), corrections, p.threads());
+		return p.edit().region(Optional.empty()).fixedEnd(p.fixedEnd().map(this::inside))
+			.corrections(corrections).build();
 	}
 
 	private Point inside(final Point end) {
@@ -89,6 +87,23 @@ public record Region(int x, int y, int width, int height) {
 				+ this
 				+ " (x,y,width,height); move the region, or leave it out to search the whole image.");
 		return moved;
+	}
+
+	/**
+	 * @param track a filament in this part's pixels
+	 * @return the filament in the whole movie's pixels
+	 */
+	public FilamentTrack back(final FilamentTrack track) {
+		return new FilamentTrack(track.id(), track.anchor(), track.fixedEnd().map(this::back),
+			track.length(), track.lengthError(),
+			track.frames().stream().map(this::back).toList());
+	}
+
+	private Observation back(final Observation o) {
+		return new Observation(o.frame(), o.status(), o.reason(), o.contour().map(this::back),
+			o.junctions(), o.candidates(), o.cost(), o.confidence(), o.visible(),
+			o.alternatives().stream().map(a -> new Alternative(back(a.contour()), a.cost()))
+				.toList());
 	}
 
 	/**

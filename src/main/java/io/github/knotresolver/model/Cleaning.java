@@ -1,6 +1,4 @@
-package io.github.knotresolver.image;
-
-import io.github.knotresolver.model.UserException;
+package io.github.knotresolver.model;
 
 /**
  * Parameters of cleaning a frame. Stretch and median are always on; the

@@ -4,57 +4,57 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
-import io.github.knotresolver.geometry.Calibration;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.measure.ContourGeometry;
 import io.github.knotresolver.measure.DominantFrequency;
 import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.measure.Quantity;
 import io.github.knotresolver.measure.Rigidity;
-import io.github.knotresolver.pipeline.Resolution;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.track.TrackedFrame;
 
 /**
  * A result with what was measured of it: what all writers and tables start
  * from.
  *
- * @param resolution the result
+ * @param tracks the result
  * @param measurements of its contours; empty if none can be measured
  * @param frames the frames in order
  */
-public record MeasuredResolution(Resolution resolution, Optional<MovieMeasurements> measurements,
+public record MeasuredTracks(Tracks tracks, Optional<MovieMeasurements> measurements,
 	List<MeasuredFrame> frames) {
 
 	/**
-	 * @param resolution a result
+	 * @param tracks a result
 	 * @param progress told how far it is
 	 * @return it, measured
 	 */
-	public static MeasuredResolution of(final Resolution resolution, final Progress progress) {
-		final List<Optional<Polyline>> contours = resolution.frames().stream()
-			.map(TrackedFrame::contour).toList();
+	public static MeasuredTracks of(final Tracks tracks, final Progress progress) {
+		final List<Optional<Polyline>> contours = tracks.only().frames().stream()
+			.map(Observation::contour).toList();
 		if (contours.stream().noneMatch(c -> c.filter(ContourGeometry::isMeasurable).isPresent()))
-			return new MeasuredResolution(resolution, Optional.empty(), resolution.frames().stream()
+			return new MeasuredTracks(tracks, Optional.empty(), tracks.only().frames().stream()
 				.map(f -> new MeasuredFrame(f, Optional.empty())).toList());
-		final MovieMeasurements measurements = MovieMeasurements.of(resolution.movie().name(),
-			contours, resolution.movie().calibration(), Optional.empty(), Rigidity.UNKNOWN,
-			lengthError(resolution), progress);
-		return new MeasuredResolution(resolution, Optional.of(measurements),
+		final MovieMeasurements measurements = MovieMeasurements.of(tracks.movie().name(),
+			contours, tracks.movie().calibration(), Optional.empty(), Rigidity.UNKNOWN,
+			lengthError(tracks), progress);
+		return new MeasuredTracks(tracks, Optional.of(measurements),
 			IntStream.range(0, contours.size())
-				.mapToObj(i -> new MeasuredFrame(resolution.frames().get(i),
+				.mapToObj(i -> new MeasuredFrame(tracks.only().frames().get(i),
 					Optional.of(measurements.frames().get(i))))
 				.toList());
 	}
 
-	private static double lengthError(final Resolution resolution) {
-		final double error = resolution.lengthUncertainty();
-		return Double.isFinite(error) ? error * resolution.movie().calibration().pixelSize() : 0;
+	private static double lengthError(final Tracks tracks) {
+		final double error = tracks.only().lengthError();
+		return Double.isFinite(error) ? error * tracks.movie().calibration().pixelSize() : 0;
 	}
 
 	/** @return units of length and time */
 	public Calibration calibration() {
-		return resolution.movie().calibration();
+		return tracks.movie().calibration();
 	}
 
 	/** @return the tip angle's dominant frequency; empty if it has none */

@@ -1,4 +1,4 @@
-package io.github.knotresolver.geometry;
+package io.github.knotresolver.model;
 
 /**
  * How pixels and frames become units of length and time. Pixels are square.

@@ -1,10 +1,8 @@
-package io.github.knotresolver.image;
+package io.github.knotresolver.model;
 
 import net.imglib2.RandomAccessibleInterval;
 import net.imglib2.type.numeric.RealType;
 import net.imglib2.view.Views;
-
-import io.github.knotresolver.geometry.Calibration;
 
 /**
  * One channel of a time series: what the pipeline starts from. It is read,

@@ -1,0 +1,221 @@
+package io.github.knotresolver.model;
+
+import java.util.Collection;
+import java.util.Collections;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.SortedSet;
+import java.util.TreeSet;
+
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+
+/**
+ * Everything that decides a result, besides the movie itself. The names are
+ * those of the command line's options; same movie and same settings give the
+ * same result, whatever the number of threads. Change one with
+ * {@code settings.edit().refine(false).build()}.
+ *
+ * @param fixedEnd the clamped end in pixels; empty to have it found
+ * @param region where the filament is searched; empty for everywhere
+ * @param cleaning how frames are cleaned
+ * @param segmentation how the filament's mask is found
+ * @param candidates which candidate contours are generated
+ * @param resolver how one contour per frame is chosen
+ * @param length known length of the filament in pixels; empty to estimate it
+ * @param lengthModel whether the length is the same in all frames
+ * @param refine whether the filament is fitted to the image, sub-pixel
+ * @param frames 1-based frames to resolve; empty for all
+ * @param ignoreFrames 1-based frames to leave out
+ * @param corrections contours the user gave, by 1-based frame, fixed end first,
+ *          in pixels
+ * @param threads number of threads, at least 1
+ */
+public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleaning cleaning,
+	Segmentation segmentation, CandidateMethod candidates, ResolverMethod resolver,
+	OptionalDouble length, LengthModel lengthModel, boolean refine, SortedSet<Integer> frames,
+	SortedSet<Integer> ignoreFrames, Map<Integer, Polyline> corrections, int threads) {
+
+	/** No fixed end told, automatic threshold, our candidates and resolver. */
+	public static final Settings DEFAULT = new Builder().build();
+
+	public Settings {
+		Objects.requireNonNull(fixedEnd);
+		Objects.requireNonNull(region);
+		Objects.requireNonNull(candidates);
+		Objects.requireNonNull(resolver);
+		Objects.requireNonNull(lengthModel);
+		if (length.isPresent() && !(length.getAsDouble() > 0))
+			throw new UserException(
+				"length must be above 0, but is " + length.getAsDouble() + ".");
+		if (threads < 1)
+			throw new UserException(
+				"threads must be at least 1, but is " + threads + ".");
+		frames = Collections.unmodifiableSortedSet(new TreeSet<>(frames));
+		ignoreFrames = Collections.unmodifiableSortedSet(new TreeSet<>(ignoreFrames));
+		corrections = Map.copyOf(corrections);
+	}
+
+	/**
+	 * @return whether this is the published method from end to end: then Otsu's threshold
+	 *         is taken as published
+	 */
+	public boolean isPublished() {
+		return candidates == CandidateMethod.PAPER && resolver == ResolverMethod.PAPER;
+	}
+
+	/** @return these settings, to be changed one by one; this object stays as it is */
+	public Builder edit() {
+		return new Builder().fixedEnd(fixedEnd).region(region).cleaning(cleaning)
+			.segmentation(segmentation).candidates(candidates).resolver(resolver).length(length)
+			.lengthModel(lengthModel).refine(refine).frames(frames).ignoreFrames(ignoreFrames)
+			.corrections(corrections).threads(threads);
+	}
+
+	/** Settings in the making, each with its default; what is not allowed is told at the end. */
+	public static final class Builder {
+
+		private Optional<Point> fixedEnd = Optional.empty();
+		private Optional<Region> region = Optional.empty();
+		private Cleaning cleaning = Cleaning.DEFAULT;
+		private Segmentation segmentation = Segmentation.DEFAULT;
+		private CandidateMethod candidates = CandidateMethod.TRAILS;
+		private ResolverMethod resolver = ResolverMethod.MOVIE;
+		private OptionalDouble length = OptionalDouble.empty();
+		private LengthModel lengthModel = LengthModel.CONSTANT;
+		private boolean refine = true;
+		private Collection<Integer> frames = new TreeSet<>();
+		private Collection<Integer> ignoreFrames = new TreeSet<>();
+		private Map<Integer, Polyline> corrections = Map.of();
+		private int threads = Runtime.getRuntime().availableProcessors();
+
+		/**
+		 * @return the settings
+		 * @throws UserException if a value is not allowed, in one sentence
+		 */
+		public Settings build() {
+			return new Settings(fixedEnd, region, cleaning, segmentation, candidates, resolver,
+				length, lengthModel, refine, new TreeSet<>(frames), new TreeSet<>(ignoreFrames),
+				corrections, threads);
+		}
+
+		/**
+		 * @param value the clamped end in pixels; empty to have it found
+		 * @return this
+		 */
+		public Builder fixedEnd(final Optional<Point> value) {
+			fixedEnd = value;
+			return this;
+		}
+
+		/**
+		 * @param value where the filament is searched; empty for everywhere
+		 * @return this
+		 */
+		public Builder region(final Optional<Region> value) {
+			region = value;
+			return this;
+		}
+
+		/**
+		 * @param value how frames are cleaned
+		 * @return this
+		 */
+		public Builder cleaning(final Cleaning value) {
+			cleaning = value;
+			return this;
+		}
+
+		/**
+		 * @param value how the filament's mask is found
+		 * @return this
+		 */
+		public Builder segmentation(final Segmentation value) {
+			segmentation = value;
+			return this;
+		}
+
+		/**
+		 * @param value which candidate contours are generated
+		 * @return this
+		 */
+		public Builder candidates(final CandidateMethod value) {
+			candidates = value;
+			return this;
+		}
+
+		/**
+		 * @param value how one contour per frame is chosen
+		 * @return this
+		 */
+		public Builder resolver(final ResolverMethod value) {
+			resolver = value;
+			return this;
+		}
+
+		/**
+		 * @param value known length of the filament in pixels; empty to estimate it
+		 * @return this
+		 */
+		public Builder length(final OptionalDouble value) {
+			length = value;
+			return this;
+		}
+
+		/**
+		 * @param value whether the length is the same in all frames
+		 * @return this
+		 */
+		public Builder lengthModel(final LengthModel value) {
+			lengthModel = value;
+			return this;
+		}
+
+		/**
+		 * @param value whether the filament is fitted to the image, sub-pixel
+		 * @return this
+		 */
+		public Builder refine(final boolean value) {
+			refine = value;
+			return this;
+		}
+
+		/**
+		 * @param value 1-based frames to resolve; empty for all
+		 * @return this
+		 */
+		public Builder frames(final Collection<Integer> value) {
+			frames = value;
+			return this;
+		}
+
+		/**
+		 * @param value 1-based frames to leave out
+		 * @return this
+		 */
+		public Builder ignoreFrames(final Collection<Integer> value) {
+			ignoreFrames = value;
+			return this;
+		}
+
+		/**
+		 * @param value contours the user gave, by 1-based frame, fixed end first, in pixels
+		 * @return this
+		 */
+		public Builder corrections(final Map<Integer, Polyline> value) {
+			corrections = value;
+			return this;
+		}
+
+		/**
+		 * @param value number of threads, at least 1
+		 * @return this
+		 */
+		public Builder threads(final int value) {
+			threads = value;
+			return this;
+		}
+	}
+}
