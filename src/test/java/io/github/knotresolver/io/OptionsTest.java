@@ -85,8 +85,12 @@ class OptionsTest {
 	@Test
 	void regionIsReadAndMustLieInTheMovie() {
 		final RunOptions options = RunOptions.parse(Map.of("region", "2, 3,20,15"));
-		assertEquals(Optional.of(new Region(2, 3, 20, 15)), options.parameters(MOVIE).region());
-		assertEquals("2,3,20,15", options.parameters(MOVIE).region().get().toString());
+		final Movie large = new Movie("l", ArrayImgs.floats(40, 40, 3), Calibration.NONE);
+		final Region region = options.parameters(large).region().orElseThrow();
+		assertEquals(new Region(2, 3, 20, 15), region);
+		assertEquals("2,3,20,15", region.toString());
+		assertTrue(assertThrows(UserException.class, () -> options.parameters(MOVIE)).getMessage()
+			.startsWith("The region 2,3,20,15 (x,y,width,height) reaches outside of 'm'"));
 		for (final String wrong : List.of("2,3,20", "2,3,20,1.5", "-2,3,20,15", "a,b,c,d"))
 			assertEquals(
 				"region must be X,Y,WIDTH,HEIGHT in whole pixels, such as 10,0,120,80, but is '"

@@ -31,6 +31,7 @@ import io.github.knotresolver.model.CandidateMethod;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.LengthModel;
 import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Region;
 import io.github.knotresolver.model.ResolverMethod;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
@@ -164,6 +165,22 @@ class FilamentResolverTest {
 						d.edit().candidates(candidates).resolver(resolver).refine(refine).threads(2).build());
 					assertFollows(drawn, result, Set.of());
 				}
+	}
+
+	@Test
+	void onlyTheRegionIsSearchedAndContoursStayInTheWholeMovie() {
+		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(6, LENGTH, 0.8), List.of(),
+			GAUSSIAN, NOISE, 34);
+		final Movie movie = drawn.movie();
+		final Region region = new Region(3, 2, movie.width() - 5, movie.height() - 4);
+		final Tracks result = resolve(drawn,
+			Settings.DEFAULT.edit().region(Optional.of(region)).threads(2).build());
+		assertFollows(drawn, result, Set.of());
+		assertEquals(movie, result.movie());
+		assertEquals(0, result.only().fixedEnd().orElseThrow().distanceTo(new Point(22.4, 55.3)),
+			1);
+		assertEquals("Only the region x=3 y=2 width=" + region.width() + " height="
+			+ region.height() + " was searched.", result.notes().get(result.notes().size() - 1));
 	}
 
 	@Test
