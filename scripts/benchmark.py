@@ -349,16 +349,21 @@ def run(args, folder):
     print(f"Wrote {out.relative_to(ROOT)}.")
 
 
-def main():
-    args = options()
-    if not (args.bench / "render.py").exists():
-        sys.exit(f"The benchmark's data are not at {args.bench}; say where with --bench.")
+def prepare(bench):
+    """Checks that data and libraries are there, and makes the scorers importable."""
+    if not (bench / "render.py").exists():
+        sys.exit(f"The benchmark's data are not at {bench}; say where with --bench.")
     missing = [m for m in ("numpy", "scipy", "numba", "tifffile", "skimage") if importlib.util.find_spec(m) is None]
     if missing:
         sys.exit(f"{sys.executable} does not have {', '.join(missing)}; name another Python by BENCH_PYTHON.")
     os.environ.setdefault("NUMBA_CACHE_DIR", str(ROOT / "target" / "numba"))
     sys.dont_write_bytecode = True
-    sys.path.insert(0, str(args.bench))
+    sys.path.insert(0, str(bench))
+
+
+def main():
+    args = options()
+    prepare(args.bench)
     if args.keep:
         (args.keep / "movies").mkdir(parents=True, exist_ok=True)
         run(args, args.keep.resolve())
