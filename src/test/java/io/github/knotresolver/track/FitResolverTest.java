@@ -1,0 +1,141 @@
+package io.github.knotresolver.track;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.api.Test;
+
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.Drawn;
+import io.github.knotresolver.candidate.CandidateGenerator;
+import io.github.knotresolver.candidate.CandidateSet;
+import io.github.knotresolver.candidate.TrailCandidates;
+import io.github.knotresolver.contour.DiscreteFrechet;
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.DrawnMovie;
+import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.graph.SkeletonGraph;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
+
+class FitResolverTest {
+
+	private static final double LENGTH = 80;
+
+	private static final LineModel LINE = LineModel.uniform(LineModel.Kind.ADDITIVE, 1.6, 1);
+
+	private static List<Observation> resolve(final List<FrameView> frames,
+		final CandidateGenerator generator, final Chain first,
+		final Map<Integer, Polyline> corrections) {
+		try (Workers workers = new Workers(1)) {
+			return new FitResolver(generator, EnumSet.of(LINE.kind()), false, workers,
+				Progress.NONE)
+					.resolve(frames, first.start(), OptionalDouble.empty(), corrections)
+					.orElseThrow().frames();
+		}
+	}
+
+	private static void assertFollows(final List<Chain> truth, final List<Observation> found) {
+		for (int t = 0; t < truth.size(); t++) {
+			assertEquals(FrameStatus.RESOLVED, found.get(t).status(), "frame " + t);
+			final double d = DiscreteFrechet.distance(truth.get(t).contour(),
+				found.get(t).contour().orElseThrow());
+			assertTrue(d < 4, "frame " + t + ": " + d + " px off");
+		}
+	}
+
+	/** Proposes contours in some frames only, as if the others were one tangle. */
+	private static CandidateGenerator only(final List<FrameView> seen) {
+		final Set<SkeletonGraph> known = Collections.newSetFromMap(new IdentityHashMap<>());
+		known.addAll(seen.stream().map(FrameView::graph).collect(Collectors.toList()));
+		return (query, progress) -> known.contains(query.graph())
+			? TrailCandidates.DEFAULT.generate(query, progress)
+			: new CandidateSet(List.of(), false);
+	}
+
+	@ParameterizedTest
+	@CsvSource({"0, 5", "7, 12"})
+	void framesWithoutAnyProposalAreFollowedFromBothSides(final int from, final int to) {
+		final List<Chain> truth = DrawnMovie.waves(12, LENGTH, 2.2);
+		final List<FrameView> frames = DrawnFrames.of(truth, LINE, t -> 1);
+		final List<FrameView> seen = new ArrayList<>(frames);
+		seen.removeAll(frames.subList(from, to));
+		assertFollows(truth, resolve(frames, only(seen), truth.get(0), Map.of()));
+	}
+
+	@ParameterizedTest
+	@ValueSource(doubles = {0.15, 0.06, -0.08})
+	void aFilamentThatFadesOrBrightensIsFollowedToTheEnd(final double rate) {
+		final List<Chain> truth = DrawnMovie.waves(14, LENGTH, 1.2);
+		final List<Observation> found = resolve(
+			DrawnFrames.of(truth, LINE, t -> Math.exp(-rate * t)), TrailCandidates.DEFAULT,
+			truth.get(0), Map.of());
+		assertFollows(truth, found);
+		assertTrue(found.stream().allMatch(f -> f.confidence() > 0.5),
+			found.stream().map(f -> "" + f.confidence()).collect(Collectors.joining(" ")));
+	}
+
+	/** A loop through which the filament crosses itself at a right angle. */
+	private static Chain loop(final double radius, final boolean reversed) {
+		final List<double[]> inner = new ArrayList<>();
+		for (int k = 0; k <= 27; k++) {
+			final double a = Math.toRadians(90 - 10 * k);
+			inner.add(new double[]{50 + radius + radius * Math.cos(a),
+				60 - radius + radius * Math.sin(a)});
+		}
+		if (reversed)
+			Collections.reverse(inner);
+		final double[] xy = new double[2 * inner.size() + 6];
+		xy[0] = 12;
+		xy[1] = 60;
+		xy[2] = 50;
+		xy[3] = 60;
+		for (int k = 0; k < inner.size(); k++)
+			System.arraycopy(inner.get(k), 0, xy, 4 + 2 * k, 2);
+		xy[xy.length - 2] = 50;
+		xy[xy.length - 1] = 60 + 40;
+		return Chain.along(Drawn.line(xy), 60, 130);
+	}
+
+	/** Quarter turns between beginning and end: three to one side, or one to the other. */
+	private static long quarterTurns(final Polyline contour) {
+		final Chain chain = Chain.along(contour, 60, contour.length());
+		return Math.round((chain.angle(58) - chain.angle(1)) / (Math.PI / 2));
+	}
+
+	@Test
+	void aContourThatIsGivenIsKeptAndDecidesItsNeighbours() {
+		final List<Chain> truth = new ArrayList<>();
+		for (int t = 0; t < 11; t++)
+			truth.add(loop(14 + 0.2 * t, false));
+		final List<FrameView> frames = DrawnFrames.of(truth, LINE, t -> 1);
+		final List<Observation> free = resolve(frames, TrailCandidates.DEFAULT, truth.get(0),
+			Map.of());
+		for (final Observation f : free)
+			assertEquals(-3, quarterTurns(f.contour().orElseThrow()), "free, frame " + f.frame());
+		final Polyline before = loop(14.8, true).contour(), after = loop(15.2, true).contour();
+		assertEquals(1, quarterTurns(before));
+		final List<Observation> corrected = resolve(frames, TrailCandidates.DEFAULT, truth.get(0),
+			Map.of(5, before, 7, after));
+		for (int t = 4; t < 7; t++) {
+			assertEquals(t == 5 ? FrameStatus.RESOLVED : FrameStatus.CORRECTED,
+				corrected.get(t).status());
+			assertEquals(1, quarterTurns(corrected.get(t).contour().orElseThrow()), "frame " + t);
+		}
+	}
+}

@@ -1,0 +1,91 @@
+package io.github.knotresolver.track;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
+
+import org.junit.jupiter.api.Test;
+
+import io.github.knotresolver.CancelledProgress;
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.DrawnMovie;
+import io.github.knotresolver.fit.FilamentFitter;
+import io.github.knotresolver.fit.Fit;
+import io.github.knotresolver.fit.FitSettings;
+import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.progress.CancelledException;
+import io.github.knotresolver.progress.Progress;
+
+class PropagationTest {
+
+	private static final LineModel LINE = LineModel.uniform(LineModel.Kind.ADDITIVE, 1.6, 1);
+
+	private static final int FRAMES = 8;
+
+	private final List<Chain> truth = DrawnMovie.waves(FRAMES, 90, 3.2);
+
+	private final List<FrameView> frames = DrawnFrames.of(truth, LINE, t -> 1);
+
+	private FilamentFitter fitter(final int t) {
+		return new FilamentFitter(frames.get(t).light().rescaled(0, 120), LINE,
+			truth.get(t).links(), Optional.of(truth.get(0).start()), FitSettings.DEFAULT);
+	}
+
+	/** Nothing is proposed but one fit, in one frame. */
+	private List<List<Fit>> proposedIn(final int frame) {
+		final List<List<Fit>> proposals = new ArrayList<>();
+		for (int t = 0; t < FRAMES; t++)
+			proposals.add(
+				t == frame ? List.of(fitter(t).fit(truth.get(t), Optional.empty())) : List.of());
+		return proposals;
+	}
+
+	private List<List<Fit>> walk(final int seen, final int[] order, final IntPredicate given) {
+		return new Propagation(3, new MotionPrice(3, 0.1), this::fitter, proposedIn(seen), given,
+			Progress.NONE).walk(order);
+	}
+
+	private void assertFollows(final Chain chain, final List<Fit> fits, final String frame) {
+		final Chain best = fits.stream().min(Comparator.comparingDouble(Fit::energy)).orElseThrow()
+			.chain();
+		assertTrue(best.distance(chain) < 1, frame + ": " + best.distance(chain) + " px off");
+	}
+
+	@Test
+	void oneProposalIsCarriedThroughTheMovieForwards() {
+		final List<List<Fit>> fits = walk(0, IntStream.range(0, FRAMES).toArray(), t -> false);
+		assertEquals(List.of(), fits.get(0), "nothing came before");
+		for (int t = 1; t < FRAMES; t++)
+			assertFollows(truth.get(t), fits.get(t), "frame " + t);
+	}
+
+	@Test
+	void andBackwards() {
+		final List<List<Fit>> fits = walk(FRAMES - 1,
+			IntStream.range(0, FRAMES).map(i -> FRAMES - 1 - i).toArray(), t -> false);
+		for (int i = 1; i < FRAMES; i++)
+			assertFollows(truth.get(FRAMES - 1 - i), fits.get(i), "frame " + (FRAMES - 1 - i));
+	}
+
+	@Test
+	void nothingIsTriedInAGivenFrameAndItsContourIsCarriedOn() {
+		final List<List<Fit>> fits = walk(3, IntStream.range(0, FRAMES).toArray(), t -> t == 3);
+		for (int t = 0; t <= 3; t++)
+			assertEquals(List.of(), fits.get(t), "frame " + t);
+		assertFollows(truth.get(4), fits.get(4), "frame 4");
+	}
+
+	@Test
+	void cancelStopsIt() {
+		final Propagation propagation = new Propagation(3, new MotionPrice(3, 0.1), this::fitter,
+			proposedIn(0), t -> false, new CancelledProgress());
+		assertThrows(CancelledException.class, () -> propagation.walk(new int[]{0, 1}));
+	}
+}
