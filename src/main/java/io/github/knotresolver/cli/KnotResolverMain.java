@@ -1,31 +1,36 @@
 package io.github.knotresolver.cli;
 
-import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 
 import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.io.Failure;
+import io.github.knotresolver.io.FailureLog;
 import io.github.knotresolver.io.OptionText;
 import io.github.knotresolver.io.ProgramVersion;
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
 
 /** {@code knotresolver}: the program's front door on the command line. */
 @Command(name = "knotresolver", mixinStandardHelpOptions = true, usageHelpAutoWidth = true, versionProvider = KnotResolverMain.Version.class, description = "Tracks a self-intersecting filament through a microscopy movie.%n", footer = "%nExit status: 0 finished, 1 failed, 2 wrong usage or unreadable input, 130 cancelled.")
 public final class KnotResolverMain implements Runnable {
 
-	private static final String ISSUES = "https://github.com/knotresolver/knotresolver-fiji/issues";
+	private static final String MORE_MEMORY = "give Java more, such as JAVA_OPTS=-Xmx8g";
 
 	@Spec
 	private CommandSpec spec;
+
+	@Option(names = "--debug", scope = ScopeType.INHERIT, description = "Print the whole trace of a failure.")
+	private boolean debug;
 
 	private KnotResolverMain() {
 	}
@@ -69,7 +74,8 @@ public final class KnotResolverMain implements Runnable {
 	static int run(final Engine engine, final Progress progress, final PrintWriter out,
 		final PrintWriter err, final String... args) {
 		System.setProperty("java.awt.headless", "true");
-		final CommandLine line = new CommandLine(new KnotResolverMain())
+		final KnotResolverMain program = new KnotResolverMain();
+		final CommandLine line = new CommandLine(program)
 			.addSubcommand(new ResolveSubcommand(engine, progress))
 			.addSubcommand(new BatchSubcommand(engine, progress))
 			.addSubcommand(new MeasureSubcommand(progress))
@@ -79,12 +85,15 @@ public final class KnotResolverMain implements Runnable {
 		line.setOut(out).setErr(err);
 		line.setParameterExceptionHandler((e, a) -> refuse(err, e));
 		line.setExecutionExceptionHandler((e, c, r) -> fail(err, c, e));
+		line.setExecutionStrategy(parsed -> {
+			FailureLog.PROCESS.echo(program.debug ? err::println : trace -> {
+			});
+			return new CommandLine.RunLast().execute(parsed);
+		});
 		try {
 			return line.execute(args);
-		} catch (final OutOfMemoryError e) {
-			return oneLine(err,
-				"There is not enough memory for this movie; give Java more, such as JAVA_OPTS=-Xmx8g.",
-				ExitStatus.FAILED);
+		} catch (final Error e) {
+			return fail(err, line, e);
 		} finally {
 			out.flush();
 			err.flush();
@@ -104,26 +113,20 @@ public final class KnotResolverMain implements Runnable {
 					.getMessage(),
 				ExitStatus.USAGE);
 		final boolean ours = e.getCause() instanceof UserException;
+		if (ours)
+			FailureLog.PROCESS.show(e.getCause());
 		final String help = ours
 			? ""
 			: " (" + e.getCommandLine().getCommandSpec().qualifiedName() + " --help tells more)";
 		return oneLine(err, asOption(e.getCommandLine(), e.getMessage()) + help, ExitStatus.USAGE);
 	}
 
-	private static int fail(final PrintWriter err, final CommandLine command, final Exception e) {
-		if (e instanceof CancelledException)
-			return oneLine(err, "Cancelled; nothing was written.", ExitStatus.CANCELLED);
-		if (e instanceof UserException)
-			return oneLine(err, asOption(command, e.getMessage()), ExitStatus.FAILED);
-		if (e instanceof IOException)
-			return oneLine(err, "The result could not be written: " + e.getMessage() + ".",
-				ExitStatus.FAILED);
-		return unexpected(err, e);
-	}
-
-	private static int unexpected(final PrintWriter err, final Throwable e) {
-		return oneLine(err, "Unexpected failure, please report it at " + ISSUES + ": " + e,
-			ExitStatus.FAILED);
+	private static int fail(final PrintWriter err, final CommandLine command,
+		final Throwable cause) {
+		final Failure failure = Failure.of(cause, MORE_MEMORY);
+		final boolean cancelled = failure.kind() == Failure.Kind.CANCELLED;
+		return oneLine(err, asOption(command, failure.sentence()),
+			cancelled ? ExitStatus.CANCELLED : ExitStatus.FAILED);
 	}
 
 	private static int oneLine(final PrintWriter err, final String message, final int status) {

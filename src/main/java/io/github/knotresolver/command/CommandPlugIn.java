@@ -14,7 +14,7 @@ import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.imagej.form.FormDialog;
 import io.github.knotresolver.imagej.form.FormField;
 import io.github.knotresolver.imagej.form.MacroOptions;
-import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.io.Failure;
 
 /**
  * The menu's and the macros' way to every Command of this program, in plain
@@ -72,8 +72,8 @@ public final class CommandPlugIn implements PlugIn {
 	private static boolean hasAll(final KnotCommand command, final String title) {
 		try {
 			return command.askForMissing();
-		} catch (final UserException e) {
-			stop(title, e.getMessage(), true);
+		} catch (final RuntimeException e) {
+			stop(title, Failure.of(e, KnotCommand.MORE_MEMORY).sentence(), true);
 			return false;
 		}
 	}
@@ -103,8 +103,8 @@ public final class CommandPlugIn implements PlugIn {
 		try {
 			Form.of(command).fill(MacroOptions.parse(options, CommandPlugIn::variable));
 			return true;
-		} catch (final UserException e) {
-			stop(title, e.getMessage(), false);
+		} catch (final RuntimeException e) {
+			stop(title, Failure.of(e, KnotCommand.MORE_MEMORY).sentence(), false);
 			return false;
 		}
 	}

@@ -9,6 +9,7 @@ import org.scijava.plugin.Parameter;
 
 import ij.IJ;
 import io.github.knotresolver.imagej.form.Form;
+import io.github.knotresolver.io.Failure;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
@@ -19,6 +20,9 @@ import io.github.knotresolver.progress.Progress;
  * They run with or without a SciJava context.
  */
 abstract class KnotCommand extends ContextCommand {
+
+	/** How memory is given in ImageJ. */
+	static final String MORE_MEMORY = "give ImageJ more with Edit > Options > Memory & Threads";
 
 	@Parameter(required = false)
 	private LogService log;
@@ -31,16 +35,16 @@ abstract class KnotCommand extends ContextCommand {
 		try (CommandProgress progress = new CommandProgress(status, this::isCanceled)) {
 			Form.of(this).check();
 			work(progress);
-		} catch (final CancelledException e) {
-			cancel("Cancelled; nothing was written.");
-		} catch (final UserException e) {
-			refuse(e.getMessage());
-		} catch (final IOException e) {
-			refuse("The result could not be written: " + e.getMessage() + ".");
-		} catch (final OutOfMemoryError e) {
-			refuse(
-				"There is not enough memory for this movie; give ImageJ more with Edit > Options > Memory & Threads.");
+		} catch (final RuntimeException | IOException | Error e) {
+			end(Failure.of(e, MORE_MEMORY));
 		}
+	}
+
+	private void end(final Failure failure) {
+		if (failure.kind() == Failure.Kind.CANCELLED)
+			cancel(failure.sentence());
+		else
+			refuse(failure.sentence());
 	}
 
 	/**

@@ -1,6 +1,7 @@
 package io.github.knotresolver.fit;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * How a filament's brightness fades over the movie: exponentially, as fluorophores
@@ -19,26 +20,39 @@ public record Bleaching(double rate) {
 	/** A change over the whole movie below this (relative) is not corrected. */
 	private static final double NOTICEABLE = 0.1;
 
+	/** So many frames, spread evenly over the movie, say all that can be said. */
+	private static final int MOST_FRAMES = 2000;
+
 	/**
-	 * Learns the rate. O(frames²).
+	 * Learns the rate, from {@value #MOST_FRAMES} frames at most. O(frames²) for these.
 	 *
 	 * @param brightness of the filament in each frame, above the background; NaN or not
 	 *          positive where it is not known
 	 * @return the fading
 	 */
 	public static Bleaching learn(final double[] brightness) {
-		final int n = brightness.length;
-		final double[] slopes = new double[n * (n - 1) / 2];
+		final int[] frames = known(brightness);
+		final double[] slopes = new double[frames.length * (frames.length - 1) / 2];
 		int count = 0;
-		for (int i = 0; i < n; i++)
-			for (int j = i + 1; j < n; j++)
-				if (brightness[i] > 0 && brightness[j] > 0)
-					slopes[count++] = Math.log(brightness[j] / brightness[i]) / (j - i);
+		for (int a = 0; a < frames.length; a++)
+			for (int b = a + 1; b < frames.length; b++)
+				slopes[count++] = Math.log(brightness[frames[b]] / brightness[frames[a]])
+					/ (frames[b] - frames[a]);
 		if (count == 0)
 			return NONE;
 		Arrays.sort(slopes, 0, count);
 		final double rate = -slopes[count / 2];
-		return Math.abs(rate) * (n - 1) < NOTICEABLE ? NONE : new Bleaching(rate);
+		return Math.abs(rate) * (brightness.length - 1) < NOTICEABLE ? NONE : new Bleaching(rate);
+	}
+
+	/** Frames with a known brightness; if they are many, some that are spread evenly. */
+	private static int[] known(final double[] brightness) {
+		final int[] all = IntStream.range(0, brightness.length).filter(t -> brightness[t] > 0)
+			.toArray();
+		return all.length <= MOST_FRAMES
+			? all
+			: IntStream.range(0, MOST_FRAMES)
+				.map(i -> all[(int) ((long) i * (all.length - 1) / (MOST_FRAMES - 1))]).toArray();
 	}
 
 	/**

@@ -100,13 +100,12 @@ public final class FilamentEstimator {
 	private static Learned learn(final List<Example> seen, final LineModel.Kind kind,
 		final Workers workers, final Progress progress) {
 		List<Example> examples = seen;
-		Estimate line = line(examples, kind, FIRST_SIGMA);
-		for (int round = 0; round < ROUNDS; round++) {
-			progress.checkCancelled();
+		Estimate line = line(examples, kind, FIRST_SIGMA, progress);
+		for (int round = 0; round < ROUNDS && line.isVisible(); round++) {
 			examples = refit(examples, line, workers, progress);
-			line = line(examples, kind, line.model().sigma());
+			line = line(examples, kind, line.model().sigma(), progress);
 		}
-		for (int round = 0; round < BRIGHTNESS_ROUNDS; round++) {
+		for (int round = 0; round < BRIGHTNESS_ROUNDS && line.isVisible(); round++) {
 			final double[] brightness = BrightnessProfile.estimate(examples, line);
 			if (brightness.length == 1)
 				break;
@@ -117,9 +116,9 @@ public final class FilamentEstimator {
 	}
 
 	private static Estimate line(final List<Example> examples, final LineModel.Kind kind,
-		final double sigma) {
+		final double sigma, final Progress progress) {
 		return LineEstimator.estimate(examples.subList(0, Math.min(LINE_EXAMPLES, examples.size())),
-			kind, sigma);
+			kind, sigma, progress);
 	}
 
 	private static List<Example> refit(final List<Example> examples, final Estimate line,

@@ -3,12 +3,7 @@ package io.github.knotresolver.fit;
 
 import java.util.List;
 
-import org.apache.commons.math3.optim.InitialGuess;
-import org.apache.commons.math3.optim.MaxEval;
-import org.apache.commons.math3.optim.nonlinear.scalar.GoalType;
-import org.apache.commons.math3.optim.nonlinear.scalar.ObjectiveFunction;
-import org.apache.commons.math3.optim.nonlinear.scalar.noderiv.NelderMeadSimplex;
-import org.apache.commons.math3.optim.nonlinear.scalar.noderiv.SimplexOptimizer;
+import io.github.knotresolver.progress.Progress;
 
 /**
  * Learns from frames with known curves what a line looks like: width and
@@ -24,6 +19,7 @@ public final class LineEstimator {
 	private static final double LARGEST_SIGMA = 6;
 	private static final double SMALLEST_POWER = 1;
 	private static final double LARGEST_POWER = 6;
+	private static final int MOST_EVALUATIONS = 120;
 
 	private LineEstimator() {
 	}
@@ -58,6 +54,11 @@ public final class LineEstimator {
 	 */
 	public record Estimate(LineModel model, double amplitude, double background, double residual) {
 
+		/** @return whether the line differs from its background at all */
+		boolean isVisible() {
+			return Double.isFinite(amplitude) && amplitude != 0;
+		}
+
 		Estimate withModel(final LineModel other) {
 			return new Estimate(other, amplitude, background, residual);
 		}
@@ -69,18 +70,17 @@ public final class LineEstimator {
 	 * @param examples at least one
 	 * @param kind how strands add up
 	 * @param sigma where to begin, in pixels
-	 * @return the estimate
+	 * @param progress may cancel
+	 * @return the estimate; the best that was seen if the search does not settle, without an
+	 *         amplitude if the examples show no line at all
 	 */
 	public static Estimate estimate(final List<Example> examples, final LineModel.Kind kind,
-		final double sigma) {
+		final double sigma, final Progress progress) {
 		final boolean additive = kind == LineModel.Kind.ADDITIVE;
 		final double[] guess = additive ? new double[]{sigma} : new double[]{sigma, 1.5};
 		final double[] spread = additive ? new double[]{0.3} : new double[]{0.3, 0.4};
-		final double[] best = new SimplexOptimizer(1e-4, 1e-6)
-			.optimize(new MaxEval(120), new InitialGuess(guess), GoalType.MINIMIZE,
-				new ObjectiveFunction(p -> fit(examples, model(kind, p)).residual + outside(p)),
-				new NelderMeadSimplex(spread))
-			.getPoint();
+		final double[] best = new SimplexSearch(1e-4, 1e-6, MOST_EVALUATIONS, progress)
+			.lowest(p -> fit(examples, model(kind, p)).residual + outside(p), guess, spread);
 		return fit(examples, model(kind, best));
 	}
 

@@ -42,8 +42,9 @@ final class ReducedSystem implements StepSystem {
 		sumBehind(nodes);
 		for (int c = 0; c < 2; c++) {
 			vector[c] = pull[c];
-			for (int d = 0; d < 2; d++)
-				matrix[c][d] = blocks[c][d];
+			for (int d = c; d < 2; d++)
+				// The mirror image is summed in another order, and so differs by rounding.
+				set(c, d, blocks[c][d]);
 		}
 		for (int k = 0; k < links; k++) {
 			final double kx = y[k] - y[k + 1], ky = x[k + 1] - x[k];

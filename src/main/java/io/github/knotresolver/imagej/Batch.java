@@ -15,6 +15,7 @@ import ij.ImagePlus;
 import io.github.knotresolver.io.BatchOutcome;
 import io.github.knotresolver.io.BatchOutcome.Status;
 import io.github.knotresolver.io.BatchRow;
+import io.github.knotresolver.io.Failure;
 import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.RunOptions;
@@ -101,17 +102,9 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 			return new BatchOutcome(row, Status.FINISHED, folder, String.join(" ", words));
 		} catch (final CancelledException e) {
 			throw e;
-		} catch (final UserException e) {
-			return new BatchOutcome(row, Status.FAILED, folder, e.getMessage());
-		} catch (final IOException e) {
+		} catch (final RuntimeException | IOException | Error e) {
 			return new BatchOutcome(row, Status.FAILED, folder,
-				"The result could not be written: " + e.getMessage() + ".");
-		} catch (final OutOfMemoryError e) {
-			return new BatchOutcome(row, Status.FAILED, folder,
-				"There is not enough memory for this movie; give Java more.");
-		} catch (final RuntimeException e) {
-			return new BatchOutcome(row, Status.FAILED, folder,
-				"Unexpected failure, please report it: " + e + ".");
+				Failure.of(e, "give Java more").sentence());
 		}
 	}
 

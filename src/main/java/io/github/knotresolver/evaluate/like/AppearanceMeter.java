@@ -62,10 +62,10 @@ final class AppearanceMeter {
 			meter.samples.add(new FrameSample(movie.frame(frame), contours.get(frame).orElseThrow(),
 				meter.range, FAR));
 		}
-		return meter.measure();
+		return meter.measure(progress);
 	}
 
-	private Appearance measure() {
+	private Appearance measure(final Progress progress) {
 		final double background = median(s -> s.background());
 		final double noise = median(s -> s.noise());
 		final double[] medians = across();
@@ -75,7 +75,7 @@ final class AppearanceMeter {
 		final double width = width(medians);
 		final boolean saturating = range.clipped() || isSaturating(medians, width);
 		final LineProfile profile = LineProfile.fit(medians,
-			saturating ? medians[0] : Double.POSITIVE_INFINITY, width / 2.355);
+			saturating ? medians[0] : Double.POSITIVE_INFINITY, width / 2.355, progress);
 		final double onLine = range.clipped() ? noise : onLine(profile);
 		return new Appearance(background, noise, Double.isNaN(onLine) ? noise : onLine, medians[0],
 			width, saturating && !range.clipped(), profile, along(profile, medians[0]), range);

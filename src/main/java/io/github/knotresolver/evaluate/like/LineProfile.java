@@ -3,12 +3,8 @@ package io.github.knotresolver.evaluate.like;
 import java.util.ArrayList;
 import java.util.List;
 
-import org.apache.commons.math3.optim.InitialGuess;
-import org.apache.commons.math3.optim.MaxEval;
-import org.apache.commons.math3.optim.nonlinear.scalar.GoalType;
-import org.apache.commons.math3.optim.nonlinear.scalar.ObjectiveFunction;
-import org.apache.commons.math3.optim.nonlinear.scalar.noderiv.NelderMeadSimplex;
-import org.apache.commons.math3.optim.nonlinear.scalar.noderiv.SimplexOptimizer;
+import io.github.knotresolver.fit.SimplexSearch;
+import io.github.knotresolver.progress.Progress;
 
 /**
  * Brightness across a line: a core and a halo, both Gaussian, so that it is also
@@ -45,18 +41,17 @@ record LineProfile(double core, double coreSigma, double halo, double haloSigma)
 	 * @param ceiling brightness that a line cannot show to be exceeded; infinite
 	 *          for none
 	 * @param sigma about the width of the line in pixels
+	 * @param progress may cancel
 	 * @return the profile
 	 */
-	static LineProfile fit(final double[] medians, final double ceiling, final double sigma) {
+	static LineProfile fit(final double[] medians, final double ceiling, final double sigma,
+		final Progress progress) {
 		final List<LineProfile> fits = new ArrayList<>();
 		for (final double start : STARTS) {
 			final double[] guess = {Math.log(medians[0]), Math.log(start * sigma),
 				Math.log(0.1 * medians[0]), Math.log(2.5)};
-			fits.add(of(new SimplexOptimizer(1e-8, 1e-10)
-				.optimize(new MaxEval(MOST_EVALUATIONS), new InitialGuess(guess), GoalType.MINIMIZE,
-					new ObjectiveFunction(p -> of(p).misfit(medians, ceiling)),
-					new NelderMeadSimplex(new double[]{0.3, 0.2, 0.7, 0.2}))
-				.getPoint()));
+			fits.add(of(new SimplexSearch(1e-8, 1e-10, MOST_EVALUATIONS, progress).lowest(
+				p -> of(p).misfit(medians, ceiling), guess, new double[]{0.3, 0.2, 0.7, 0.2})));
 		}
 		return fits.stream()
 			.min((a, b) -> Double.compare(a.misfit(medians, ceiling), b.misfit(medians, ceiling)))
