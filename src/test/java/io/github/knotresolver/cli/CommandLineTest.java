@@ -227,6 +227,23 @@ class CommandLineTest {
 	}
 
 	@Test
+	void aBugNamesItsLogAndDebugPrintsItsTrace() throws IOException {
+		final Engine broken = (m, p, progress) -> {
+			throw new IllegalArgumentException("The radius must be at least 1, but is 0.");
+		};
+		final String[] args = {"resolve", movie.toString(), "--out", out.toString()};
+		final Run run = run(broken, args);
+		assertEquals(1, run.status);
+		assertOneLine(run, "bug");
+		final Path log = Path.of(run.err.replaceFirst("(?s).* attach (.*), which .*", "$1"));
+		assertTrue(Files.readString(log).contains("CommandLineTest"), run.err);
+		final Run debug = run(broken, "resolve", "--debug", args[1], args[2], args[3]);
+		assertEquals(1, debug.status);
+		assertTrue(debug.err.contains("at " + CommandLineTest.class.getName()), debug.err);
+		assertOneLine(run(broken, args), "bug");
+	}
+
+	@Test
 	void cancelIsStatus130WithNothingWritten() throws IOException {
 		final Engine cancelled = (m, p, progress) -> {
 			throw new CancelledException();

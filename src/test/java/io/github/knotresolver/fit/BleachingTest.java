@@ -28,4 +28,13 @@ class BleachingTest {
 		assertEquals(0, Bleaching.learn(new double[]{1}).rate());
 		assertEquals(0, Bleaching.learn(new double[]{Double.NaN, 0, -1}).rate());
 	}
+
+	/** Pairs of all frames of a long movie are more than an array can hold. */
+	@Test
+	void learnsFromMoviesOfAnyLength() {
+		final double[] brightness = new double[100_000];
+		for (int t = 0; t < brightness.length; t++)
+			brightness[t] = 100 * Math.exp(-1e-4 * t);
+		assertEquals(1e-4, Bleaching.learn(brightness).rate(), 1e-9);
+	}
 }

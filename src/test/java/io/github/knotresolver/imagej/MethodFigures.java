@@ -189,7 +189,8 @@ public final class MethodFigures {
 		final NormalizedFrame pixels = new NormalizedFrame(movie.width(), movie.height(),
 			Pixels.doubles(frame));
 		final LineEstimator.Estimate line = LineEstimator.estimate(
-			List.of(new LineEstimator.Example(pixels, chain)), LineModel.Kind.ADDITIVE, 1.8);
+			List.of(new LineEstimator.Example(pixels, chain)), LineModel.Kind.ADDITIVE, 1.8,
+			Progress.NONE);
 		final double[] seen = pixels.rescaled(line.background(), line.amplitude()).pixels();
 		final double[] drawn = ModelPicture.of(movie.width(), movie.height(), line.model(), chain)
 			.pixels();

@@ -1,0 +1,46 @@
+
+package io.github.knotresolver.fit;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+
+import java.util.Random;
+
+import org.junit.jupiter.api.Test;
+
+class ReducedSystemTest {
+
+	private static final int LINKS = 6;
+
+	/**
+	 * The sums of both triangles are the same but for rounding; where they all but cancel, rounding
+	 * is all that is left, and no sign of a matrix that is not symmetric.
+	 */
+	@Test
+	void solvesWhereTheCouplingOfColumnAndRowCancels() {
+		for (int seed = 0; seed < 200; seed++) {
+			final NodeSystem nodes = cancelling(new Random(seed));
+			final ReducedSystem system = new ReducedSystem(LINKS, true);
+			final double[] x = {0, 1, 2, 3, 4, 5, 6}, y = {0, 0.5, 0.2, 1, 1.1, 0.7, 0};
+			system.reduce(nodes, x, y, 1);
+			for (int i = 0; i < system.vector.length; i++)
+				for (int j = 0; j < i; j++)
+					assertEquals(system.matrix[i][j], system.matrix[j][i], "seed " + seed);
+			assertNotNull(system.solve(1e-3), "seed " + seed);
+		}
+	}
+
+	/** Random pixels, and one that makes columns and rows independent as a whole. */
+	private static NodeSystem cancelling(final Random random) {
+		final NodeSystem nodes = new NodeSystem(LINKS + 1, LINKS);
+		double sum = 0;
+		for (int i = 0; i < 100; i++) {
+			final int node = 1 + random.nextInt(LINKS);
+			final double[] slopes = random.doubles(4, -1, 1).toArray();
+			nodes.add(new int[]{node, node - 1}, slopes, 2, 1, 0.1);
+			sum += (slopes[0] + slopes[2]) * (slopes[1] + slopes[3]);
+		}
+		nodes.add(new int[]{0}, new double[]{1, -sum}, 1, 1, 0);
+		return nodes;
+	}
+}
