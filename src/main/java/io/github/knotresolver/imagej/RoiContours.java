@@ -71,15 +71,10 @@ public final class RoiContours {
 
 	private static Polyline contour(final Roi roi) {
 		final FloatPolygon points = roi.getFloatPolygon();
-		final double shift = roi.subPixelResolution() ? RoiConverter.OFFSET : 0;
-		return Polyline.of(shifted(points.xpoints, points.npoints, shift),
-			shifted(points.ypoints, points.npoints, shift));
-	}
-
-	private static double[] shifted(final float[] values, final int n, final double shift) {
-		final double[] shifted = new double[n];
-		Arrays.setAll(shifted, i -> values[i] - shift);
-		return shifted;
+		final double[] x = new double[points.npoints], y = new double[points.npoints];
+		Arrays.setAll(x, i -> points.xpoints[i]);
+		Arrays.setAll(y, i -> points.ypoints[i]);
+		return Polyline.of(x, y);
 	}
 
 	private static int frames(final ImagePlus image) {

@@ -16,13 +16,12 @@ import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
 
 /**
- * Contours to ROIs and back. ImageJ puts the centre of the first pixel at 0.5;
- * this is the one place where that half pixel is added or taken away.
+ * Contours to ROIs and back. In ImageJ's line and point selections an integer is
+ * the centre of a pixel (see {@link Roi#useLineSubpixelConvention()}), as it is in
+ * contours, so coordinates are the same on both sides. Only area selections count
+ * from the corner of the first pixel.
  */
 public final class RoiConverter {
-
-	/** From an integer that is a pixel centre to ImageJ's coordinates. */
-	static final double OFFSET = 0.5;
 
 	/** Every name starts so. */
 	static final String PREFIX = "knot-";
@@ -95,8 +94,8 @@ public final class RoiConverter {
 	public static Roi polyline(final Polyline contour) {
 		final float[] x = new float[contour.size()], y = new float[contour.size()];
 		for (int i = 0; i < x.length; i++) {
-			x[i] = (float) (contour.x(i) + OFFSET);
-			y[i] = (float) (contour.y(i) + OFFSET);
+			x[i] = (float) contour.x(i);
+			y[i] = (float) contour.y(i);
 		}
 		return new PolygonRoi(x, y, Roi.POLYLINE);
 	}
@@ -110,8 +109,7 @@ public final class RoiConverter {
 		if (!(roi instanceof PointRoi))
 			return Optional.empty();
 		final var points = roi.getFloatPolygon();
-		final double shift = roi.subPixelResolution() ? OFFSET : 0;
-		return Optional.of(new Point(points.xpoints[0] - shift, points.ypoints[0] - shift));
+		return Optional.of(new Point(points.xpoints[0], points.ypoints[0]));
 	}
 
 	/**

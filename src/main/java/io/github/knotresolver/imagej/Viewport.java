@@ -14,6 +14,9 @@ import io.github.knotresolver.model.Tracks;
  */
 record Viewport(int x, int y, int width, int height, double scale) {
 
+	/** From the centre of a pixel, an integer in contours, to its left or upper edge. */
+	private static final double HALF = 0.5;
+
 	/** Room around the contours, in pixels. */
 	private static final int MARGIN = 12;
 
@@ -66,11 +69,11 @@ record Viewport(int x, int y, int width, int height, double scale) {
 
 	/** @return where a column is shown */
 	double screenX(final double column) {
-		return (column + RoiConverter.OFFSET - x) * scale;
+		return (column + HALF - x) * scale;
 	}
 
 	/** @return where a row is shown */
 	double screenY(final double row) {
-		return (row + RoiConverter.OFFSET - y) * scale;
+		return (row + HALF - y) * scale;
 	}
 }

@@ -182,7 +182,7 @@ final class DialogsMain {
 	}
 
 	private void pointIsFixedEnd() throws Exception {
-		sample("point").setRoi(new PointRoi(20.5, 24.5));
+		sample("point").setRoi(new PointRoi(20.0, 24.0));
 		ok("1-3");
 		finished();
 		require(log().contains("fixed_end=20.0,24.0 "), log());

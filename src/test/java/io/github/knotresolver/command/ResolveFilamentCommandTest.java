@@ -111,7 +111,7 @@ class ResolveFilamentCommandTest {
 	@Test
 	void takesTheImageAndItsPointSelectionAndChangesNothing() throws Exception {
 		final ImagePlus image = TestImages.movie(4, 8);
-		image.setRoi(new PointRoi(12.5, 30.5));
+		image.setRoi(new PointRoi(12.0, 30.0));
 		final byte[] before = ((byte[]) image.getStack().getPixels(2)).clone();
 		final Tracks resolution = (Tracks) run(Map.of("image", image))
 			.getOutput("resolution");

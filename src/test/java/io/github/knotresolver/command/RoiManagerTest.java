@@ -91,7 +91,6 @@ class RoiManagerTest {
 		assertEquals(6, Double.parseDouble(third[2]), 1e-3, log);
 		assertTrue(frames.get(2).startsWith("2,2,,"), frames.get(2));
 		assertTrue(frames.get(1).endsWith("µm,1/µm,s"), frames.get(1));
-		// ImageJ's 20.5 is the middle of a pixel, 20 px.
 		assertTrue(Files.readAllLines(out.resolve("contours.csv")).get(30).contains(",20.000,"),
 			Files.readAllLines(out.resolve("contours.csv")).get(30));
 	}
@@ -108,7 +107,7 @@ class RoiManagerTest {
 	/** Polylines of some points on frames 1, 3 and 4. */
 	private static String lines(final int points, final String choose) {
 		return "n = " + points + "; x = newArray(n); y = newArray(n);"
-			+ "for (i = 0; i < n; i++) { x[i] = 10.5 + 60 * i / (n - 1); y[i] = 20.5; }"
+			+ "for (i = 0; i < n; i++) { x[i] = 10 + 60 * i / (n - 1); y[i] = 20; }"
 			+ "frames = newArray(1, 3, 4); for (k = 0; k < 3; k++) {" + choose
 			+ "makeSelection('polyline', x, y); roiManager('Add'); }";
 	}

@@ -42,7 +42,7 @@ class ResultDisplayTest {
 	Path home;
 
 	@Test
-	void roiIsSubPixelHalfAPixelOffWithNameAndPosition() throws IOException {
+	void roiIsSubPixelWithNameAndPosition() throws IOException {
 		final List<Roi> rois = RoiConverter.forStack(4).rois(tracks);
 		assertEquals(List.of("knot-0001", "knot-0003", "knot-0004"),
 			rois.stream().map(Roi::getName).toList());
@@ -60,8 +60,8 @@ class ResultDisplayTest {
 		final var contour = tracks.only().frames().get(2).contour().get();
 		assertEquals(contour.size(), points.npoints);
 		for (int i = 0; i < points.npoints; i++) {
-			assertEquals(contour.x(i) + 0.5, points.xpoints[i], 1e-4);
-			assertEquals(contour.y(i) + 0.5, points.ypoints[i], 1e-4);
+			assertEquals(contour.x(i), points.xpoints[i], 1e-4);
+			assertEquals(contour.y(i), points.ypoints[i], 1e-4);
 		}
 	}
 
@@ -123,9 +123,9 @@ class ResultDisplayTest {
 
 	@Test
 	void pointSelectionIsAPixelCentre() {
-		assertEquals(Optional.of(new Point(12, 30)), RoiConverter.point(new PointRoi(12.5, 30.5)));
+		assertEquals(Optional.of(new Point(12, 30)), RoiConverter.point(new PointRoi(12, 30)));
 		assertEquals(Optional.of(new Point(12.25, 30)),
-			RoiConverter.point(new PointRoi(12.75, 30.5)));
+			RoiConverter.point(new PointRoi(12.25, 30.0)));
 		assertEquals(Optional.empty(), RoiConverter.point(new Roi(1, 2, 3, 4)));
 		assertEquals(Optional.empty(), RoiConverter.point(null));
 	}
