@@ -10,6 +10,8 @@ import ij.ImagePlus;
 import ij.gui.GenericDialog;
 import ij.gui.YesNoCancelDialog;
 import io.github.knotresolver.imagej.ImageCalibration;
+import io.github.knotresolver.io.InputOptions;
+import io.github.knotresolver.io.UnitText;
 import io.github.knotresolver.model.Calibration;
 
 /** What a person is asked about an image that does not tell enough to be a movie. */
@@ -40,24 +42,28 @@ final class MovieQuestions {
 
 	/**
 	 * Asks for the pixel size and the frame interval, if neither the image nor the
-	 * user has told them.
+	 * user has told them, and for the pixel size in µm if its unit is in doubt.
 	 *
 	 * @param given what the user has told, by key
 	 * @return what is known now, by key; empty if the user gave up
 	 */
 	Optional<Map<String, String>> calibration(final Map<String, String> given) {
 		final Calibration known = ImageCalibration.of(image);
-		final boolean askSize = !known.hasLengthUnit() && given.get("pixel_size").isBlank();
+		final boolean askSize = given.get("pixel_size").isBlank()
+			? !known.hasLengthUnit() || isDoubtful(known, given)
+			: isDoubtful(known, given);
 		final boolean askTime = !known.hasTimeUnit() && given.get("frame_interval").isBlank();
 		if (!askSize && !askTime)
 			return Optional.of(Map.of());
 		final GenericDialog dialog = new GenericDialog(TITLE);
 		dialog.addMessage(
-			"'" + image.getTitle() + "' does not say " + (askSize ? "how large its pixels are" : "")
-				+ (askSize && askTime ? ", nor " : "") + (askTime ? "how long a frame lasts" : "")
+			"'" + image.getTitle() + "' " + (known.hasLengthUnit() && askSize
+				? "says that its pixels are " + known.pixelSize() + " " + known.unit() + " large"
+					+ (askTime ? ", and " : "")
+				: "") + missing(askSize && !known.hasLengthUnit(), askTime)
 				+ ".\nLeave a field empty to get results in pixels or frames.");
 		if (askSize)
-			dialog.addStringField("Pixel size (µm)", "", 8);
+			dialog.addStringField("Pixel size (µm)", given.get("pixel_size"), 8);
 		if (askTime)
 			dialog.addStringField("Frame interval (s)", "", 8);
 		dialog.showDialog();
@@ -65,11 +71,35 @@ final class MovieQuestions {
 			return Optional.empty();
 		final Map<String, String> told = new LinkedHashMap<>();
 		final List<?> fields = dialog.getStringFields();
-		if (askSize)
+		if (askSize) {
 			told.put("pixel_size", text(fields.get(0)));
+			told.put("unit", unit(known, told.get("pixel_size"), given));
+		}
 		if (askTime)
 			told.put("frame_interval", text(fields.get(fields.size() - 1)));
 		return Optional.of(told);
+	}
+
+	/** A number without unit beside an image in another unit than µm, or no microscope's. */
+	private static boolean isDoubtful(final Calibration known, final Map<String, String> given) {
+		if (!given.get("unit").isBlank() || !known.hasLengthUnit())
+			return false;
+		return given.get("pixel_size").isBlank()
+			? !InputOptions.isPlausible(known)
+			: !known.unit().equals(UnitText.MICROMETRE);
+	}
+
+	/** What the answer is in; an image's own unit is named only where it was in doubt. */
+	private static String unit(final Calibration known, final String size,
+		final Map<String, String> given) {
+		if (!known.hasLengthUnit())
+			return given.get("unit");
+		return size.isBlank() ? Calibration.NONE.unit() : UnitText.MICROMETRE;
+	}
+
+	private static String missing(final boolean size, final boolean time) {
+		return (size || time ? "does not say " : "") + (size ? "how large its pixels are" : "")
+			+ (size && time ? ", nor " : "") + (time ? "how long a frame lasts" : "");
 	}
 
 	/** Read from the component: {@code getNextString()} would record a key of its own. */

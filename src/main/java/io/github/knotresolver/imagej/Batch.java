@@ -110,6 +110,7 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 
 	private MeasuredTracks result(final BatchRow row, final Path folder,
 		final Progress progress) throws IOException {
+		row.requireTryable();
 		final Map<String, String> texts = new TreeMap<>(defaults);
 		texts.putAll(row.texts());
 		final RunOptions options = RunOptions.parse(texts);

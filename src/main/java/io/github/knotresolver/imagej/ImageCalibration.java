@@ -2,6 +2,7 @@
 package io.github.knotresolver.imagej;
 
 import ij.ImagePlus;
+import io.github.knotresolver.io.InputOptions;
 import io.github.knotresolver.io.UnitText;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
@@ -21,7 +22,8 @@ public final class ImageCalibration {
 
 	/**
 	 * @param image an image
-	 * @return its calibration; pixels and frames where the image says nothing
+	 * @return its calibration, its time in seconds if its unit of time is known; pixels
+	 *         and frames where the image says nothing
 	 * @throws UserException if its pixels are not square
 	 */
 	public static Calibration of(final ImagePlus image) {
@@ -34,9 +36,9 @@ public final class ImageCalibration {
 				+ image.getTitle() + "' are " + c.pixelWidth + " x " + c.pixelHeight + " " + unit
 				+ "; rescale the image with Image > Scale.");
 		final boolean timed = isPositive(c.frameInterval);
-		return new Calibration(sized ? c.pixelWidth : none.pixelSize(), sized ? unit : none.unit(),
+		return InputOptions.inSeconds(new Calibration(sized ? c.pixelWidth : none.pixelSize(), sized ? unit : none.unit(),
 			timed ? c.frameInterval : none.frameInterval(),
-			timed ? UnitText.time(c.getTimeUnit()) : none.timeUnit());
+			timed ? UnitText.time(c.getTimeUnit()) : none.timeUnit()));
 	}
 
 	private static boolean isPositive(final double value) {

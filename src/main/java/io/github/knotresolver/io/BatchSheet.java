@@ -1,13 +1,14 @@
 package io.github.knotresolver.io;
 
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 
-import org.apache.commons.csv.CSVRecord;
 
 import io.github.knotresolver.model.UserException;
 
@@ -22,6 +23,9 @@ import io.github.knotresolver.model.UserException;
 public record BatchSheet(List<BatchRow> rows, List<String> unknownColumns) {
 
 	private static final String FILE_NAME = "filename", FOLDER = "folderpath";
+	/** Columns in which a comma is not that of a number. */
+	private static final Set<String> COMMAS = Set.of(FILE_NAME, FOLDER, "fixed_end", "region",
+		"frames", "ignore_frames", "ignoreframes", "corrections", "unit");
 
 	public BatchSheet {
 		rows = List.copyOf(rows);
@@ -37,10 +41,10 @@ public record BatchSheet(List<BatchRow> rows, List<String> unknownColumns) {
 	 * @throws UserException if it is not a sheet, in one sentence
 	 */
 	public static BatchSheet read(final Path file) {
-		final List<CSVRecord> records = CsvFile.read(file);
+		final List<CsvRow> records = CsvFile.read(file);
 		final List<String> header = records.isEmpty()
 			? List.of()
-			: records.get(0).stream().map(CsvFile::withoutByteOrderMark).toList();
+			: records.get(0).cells();
 		final List<String> keys = header.stream().map(h -> h.toLowerCase(Locale.ROOT)).toList();
 		if (!keys.contains(FILE_NAME) || !keys.contains(FOLDER))
 			throw new UserException(
@@ -48,8 +52,8 @@ public record BatchSheet(List<BatchRow> rows, List<String> unknownColumns) {
 					+ String.join(",", header) + "'.");
 		final Path home = file.toAbsolutePath().getParent();
 		final List<BatchRow> rows = new ArrayList<>();
-		for (final CSVRecord record : records.subList(1, records.size()))
-			rows.add(row(home, keys, record));
+		for (final CsvRow record : records.subList(1, records.size()))
+			rows.add(rowOrRefusal(home, keys, record));
 		return new BatchSheet(rows,
 			header.stream().filter(h -> !isKnown(h.toLowerCase(Locale.ROOT))).toList());
 	}
@@ -59,10 +63,24 @@ public record BatchSheet(List<BatchRow> rows, List<String> unknownColumns) {
 			|| OriginalColumns.NAMES.contains(key);
 	}
 
-	private static BatchRow row(final Path home, final List<String> keys, final CSVRecord record) {
+	/** A name that no file can have here spoils its row, not the sheet. */
+	private static BatchRow rowOrRefusal(final Path home, final List<String> keys,
+		final CsvRow record) {
+		try {
+			return row(home, keys, record);
+		} catch (final InvalidPathException e) {
+			return BatchRow.refused(record.line(), home.resolve("line " + record.line()),
+				"'" + e.getInput() + "' cannot be the name of a file on this system ("
+					+ e.getReason() + ", names are in " + System.getProperty("sun.jnu.encoding")
+					+ "); write it otherwise, or set LC_ALL=C.UTF-8 if it has letters like ü.");
+		}
+	}
+
+	private static BatchRow row(final Path home, final List<String> keys, final CsvRow record) {
 		final Map<String, String> cells = new HashMap<>();
 		for (int i = 0; i < Math.min(keys.size(), record.size()); i++)
-			cells.put(keys.get(i), record.get(i));
+			cells.put(keys.get(i),
+				COMMAS.contains(keys.get(i)) ? record.get(i) : record.number(i));
 		final List<String> notes = new ArrayList<>();
 		final Map<String, String> texts = OriginalColumns.translate(cells, notes);
 		for (final String key : RunOptions.KEYS)
@@ -71,6 +89,6 @@ public record BatchSheet(List<BatchRow> rows, List<String> unknownColumns) {
 		texts.computeIfPresent("corrections", (key, path) -> home.resolve(path).toString());
 		final Path movie = home.resolve(cells.getOrDefault(FOLDER, ""))
 			.resolve(cells.getOrDefault(FILE_NAME, ""));
-		return new BatchRow((int) record.getRecordNumber(), movie.normalize(), texts, notes);
+		return new BatchRow(record.line(), movie.normalize(), texts, notes);
 	}
 }

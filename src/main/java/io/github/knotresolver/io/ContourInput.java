@@ -9,8 +9,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
 import java.util.SortedMap;
+import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 
@@ -19,7 +19,6 @@ import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
 
-import org.apache.commons.csv.CSVRecord;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
@@ -56,12 +55,11 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 	public static ContourInput read(final Path path) {
 		if (Files.isDirectory(path))
 			return folder(path);
-		final List<CSVRecord> records = CsvFile.read(path);
+		final List<CsvRow> records = CsvFile.read(path);
 		if (records.isEmpty())
 			throw new UserException(
 				path + " is empty; give a result folder, a contours.csv or an MTdata.csv.");
-		final boolean original = CsvFile.withoutByteOrderMark(records.get(0).get(0))
-			.matches("[0-9.]+");
+		final boolean original = OptionText.isNumber(records.get(0).number(0));
 		final SortedMap<Integer, Polyline> contours = original
 			? original(path, records)
 			: ContoursCsv.read(path);
@@ -103,18 +101,18 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 
 	/** Rows of frame, x, y; 1-based pixels. */
 	private static SortedMap<Integer, Polyline> original(final Path file,
-		final List<CSVRecord> records) {
+		final List<CsvRow> records) {
 		final SortedMap<Integer, List<Point>> points = new TreeMap<>();
-		for (final CSVRecord record : records) {
-			final String place = file.getFileName() + ", line " + record.getRecordNumber();
+		for (final CsvRow record : records) {
+			final String place = file.getFileName() + ", line " + record.line();
 			if (record.size() != 3)
 				throw new UserException(
 					place + ", has " + record.size() + " columns, but needs three: frame, x, y.");
 			final int frame = OptionText.wholeNumber(place + ": frame",
-				CsvFile.withoutByteOrderMark(record.get(0)), 1);
+				record.number(0), 1);
 			points.computeIfAbsent(frame, f -> new ArrayList<>())
-				.add(new Point(OptionText.number(place + ": x", record.get(1)) - 1,
-					OptionText.number(place + ": y", record.get(2)) - 1));
+				.add(new Point(ContoursCsv.coordinate(place + ": x", record.number(1)) - 1,
+					ContoursCsv.coordinate(place + ": y", record.number(2)) - 1));
 		}
 		final SortedMap<Integer, Polyline> contours = new TreeMap<>();
 		points.forEach((frame, list) -> contours.put(frame, Polyline.of(list)));
@@ -122,28 +120,37 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 	}
 
 	/** The unit and pixel size that the columns unit, x and x_px tell. */
-	private static Calibration unit(final Path file, final List<CSVRecord> records) {
-		final List<String> header = records.get(0).stream()
-			.map(h -> CsvFile.withoutByteOrderMark(h).toLowerCase(Locale.ROOT)).toList();
+	private static Calibration unit(final Path file, final List<CsvRow> records) {
+		final List<String> header = records.get(0).cells().stream()
+			.map(h -> h.toLowerCase(Locale.ROOT)).toList();
 		final int unit = header.indexOf("unit"), x = header.indexOf("x"),
-			px = header.indexOf("x_px");
-		if (unit < 0 || x < 0 || px < 0)
+			px = header.indexOf("x_px"), size = header.indexOf(ContoursCsv.PIXEL_SIZE);
+		if (unit < 0 || size < 0 && (x < 0 || px < 0))
 			return Calibration.NONE;
-		final Set<String> units = new TreeSet<>();
+		final SortedSet<String> units = new TreeSet<>();
+		final SortedSet<Double> sizes = new TreeSet<>();
 		double sum = 0, sumPx = 0;
-		for (final CSVRecord record : records.subList(1, records.size())) {
-			if (record.size() <= unit)
+		for (final CsvRow record : records.subList(1, records.size())) {
+			if (record.size() <= Math.max(unit, size))
 				continue;
-			units.add(record.get(unit));
-			sum += OptionText.number("x", record.get(x));
-			sumPx += OptionText.number("x_px", record.get(px));
+			units.add(UnitText.length(record.get(unit)));
+			if (size >= 0) {
+				sizes.add(OptionText.positive(ContoursCsv.PIXEL_SIZE, record.number(size)));
+				continue;
+			}
+			sum += OptionText.number("x", record.number(x));
+			sumPx += OptionText.number("x_px", record.number(px));
 		}
-		if (units.size() > 1)
-			throw new UserException(file + " mixes the units " + String.join(", ", units)
+		if (units.size() > 1 || sizes.size() > 1)
+			throw new UserException(file + " mixes "
+				+ (units.size() > 1
+					? "the units " + String.join(", ", units)
+					: "pixels of " + sizes.first() + " and " + sizes.last() + " " + units.first())
 				+ "; give contours in one unit.");
-		return units.isEmpty() || !(sum / sumPx > 0)
+		final double pixel = sizes.isEmpty() ? sum / sumPx : sizes.first();
+		return units.isEmpty() || !(pixel > 0 && Double.isFinite(pixel))
 			? Calibration.NONE
-			: new Calibration(sum / sumPx, units.iterator().next(), 1, Calibration.NONE.timeUnit());
+			: new Calibration(pixel, units.iterator().next(), 1, Calibration.NONE.timeUnit());
 	}
 
 	/** Contours of which {@code parameters.json} tells more. */
@@ -156,8 +163,8 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 			final Optional<Double> size = number(options, "pixel_size"),
 				interval = number(options, "frame_interval");
 			final String time = options.has("time_unit")
-				? options.get("time_unit").getAsString()
-				: interval.isPresent() ? "s" : Calibration.NONE.timeUnit();
+				? UnitText.time(options.get("time_unit").getAsString())
+				: interval.isPresent() ? UnitText.SECOND : Calibration.NONE.timeUnit();
 			final Calibration c = new Calibration(size.orElse(units.pixelSize()), units.unit(),
 				interval.orElse(1.0), time);
 			final double error = root.has("found")

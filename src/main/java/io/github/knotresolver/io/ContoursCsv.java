@@ -13,7 +13,6 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 import org.apache.commons.csv.CSVPrinter;
-import org.apache.commons.csv.CSVRecord;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
@@ -21,18 +20,24 @@ import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 
 /**
- * {@code contours.csv}: one row a point. {@code x_px, y_px} are pixels (origin
- * top-left, an integer is a pixel centre); {@code x, y, arc_length} are in the
- * row's {@code unit}, {@code tangent_angle} in radians, {@code curvature} in
- * 1/unit. Corrections by a user have the first four columns.
+ * {@code contours.csv}: one row a point. {@code x_px, y_px} is the contour as it was
+ * found, in pixels (origin top-left, an integer is a pixel centre). {@code x, y} is
+ * the smoothed contour, and {@code arc_length, tangent_angle, curvature} are those of
+ * this curve: lengths in the row's {@code unit}, {@code tangent_angle} in radians,
+ * {@code curvature} in 1/unit. {@code pixel_size} is a pixel's edge in the unit.
+ * Corrections by a user have the first four columns.
  */
 public final class ContoursCsv {
 
 	/** The file's name in a result folder. */
 	public static final String FILE = "contours.csv";
 
+	/** The column that tells a pixel's edge in the row's unit. */
+	static final String PIXEL_SIZE = "pixel_size";
+
+	private static final double LARGEST = 100_000;
 	private static final String[] HEADER = {"frame", "index", "x_px", "y_px", "x", "y",
-		"arc_length", "tangent_angle", "curvature", "unit"};
+		"arc_length", "tangent_angle", "curvature", "unit", PIXEL_SIZE};
 	private static final List<String> NEEDED = List.of("frame", "index", "x_px", "y_px");
 
 	private ContoursCsv() {
@@ -54,14 +59,14 @@ public final class ContoursCsv {
 	private static void writeContour(final CSVPrinter csv, final MeasuredFrame frame,
 		final Calibration c) throws IOException {
 		final Polyline contour = frame.tracked().contour().orElseThrow();
-		final double[] arc = frame.arcLength(), angle = frame.tangentAngle(),
+		final double[] x = frame.x(c.pixelSize()), y = frame.y(c.pixelSize()),
+			arc = frame.arcLength(), angle = frame.tangentAngle(),
 			curvature = frame.curvature();
 		for (int i = 0; i < contour.size(); i++)
 			csv.printRecord(frame.tracked().frame(), i, NumberText.pixels(contour.x(i)),
 				NumberText.pixels(contour.y(i)),
-				NumberText.significant(contour.x(i) * c.pixelSize()),
-				NumberText.significant(contour.y(i) * c.pixelSize()), at(arc, i), at(angle, i),
-				at(curvature, i), c.unit());
+				NumberText.significant(x[i]), NumberText.significant(y[i]), at(arc, i),
+				at(angle, i), at(curvature, i), c.unit(), NumberText.significant(c.pixelSize(), 12));
 	}
 
 	private static String at(final double[] values, final int i) {
@@ -78,10 +83,10 @@ public final class ContoursCsv {
 	 *           names the line
 	 */
 	public static SortedMap<Integer, Polyline> read(final Path file) {
-		final List<CSVRecord> records = CsvFile.read(file);
+		final List<CsvRow> records = CsvFile.read(file);
 		final int[] columns = columns(file, records);
 		final SortedMap<Integer, SortedMap<Integer, Point>> frames = new TreeMap<>();
-		for (final CSVRecord record : records.subList(1, records.size()))
+		for (final CsvRow record : records.subList(1, records.size()))
 			addPoint(file, record, columns, frames);
 		final SortedMap<Integer, Polyline> contours = new TreeMap<>();
 		for (final Map.Entry<Integer, SortedMap<Integer, Point>> frame : frames.entrySet())
@@ -89,11 +94,20 @@ public final class ContoursCsv {
 		return contours;
 	}
 
-	private static int[] columns(final Path file, final List<CSVRecord> records) {
+	/** A place in a picture; what is larger was mistyped, and would be measured for hours. */
+	static double coordinate(final String place, final String text) {
+		final double value = OptionText.number(place, text);
+		if (Math.abs(value) > LARGEST)
+			throw OptionText.refusal(place,
+				"from -" + (int) LARGEST + " to " + (int) LARGEST + " pixels", text);
+		return value;
+	}
+
+	private static int[] columns(final Path file, final List<CsvRow> records) {
 		final List<String> header = records.isEmpty()
 			? List.of()
-			: records.get(0).stream()
-				.map(h -> CsvFile.withoutByteOrderMark(h).toLowerCase(Locale.ROOT)).toList();
+			: records.get(0).cells().stream()
+				.map(h -> h.toLowerCase(Locale.ROOT)).toList();
 		if (!header.containsAll(NEEDED))
 			throw new UserException(
 				file + " must have the columns frame,index,x_px,y_px, but its first line is '"
@@ -101,16 +115,16 @@ public final class ContoursCsv {
 		return NEEDED.stream().mapToInt(header::indexOf).toArray();
 	}
 
-	private static void addPoint(final Path file, final CSVRecord record, final int[] columns,
+	private static void addPoint(final Path file, final CsvRow record, final int[] columns,
 		final SortedMap<Integer, SortedMap<Integer, Point>> frames) {
-		final String place = file.getFileName() + ", line " + record.getRecordNumber();
+		final String place = file.getFileName() + ", line " + record.line();
 		if (record.size() <= Arrays.stream(columns).max().orElse(0))
 			throw new UserException(
 				place + ", has " + record.size() + " columns, fewer than its header.");
-		final int frame = OptionText.wholeNumber(place + ": frame", record.get(columns[0]), 1);
-		final int index = OptionText.wholeNumber(place + ": index", record.get(columns[1]), 0);
-		final Point point = new Point(OptionText.number(place + ": x_px", record.get(columns[2])),
-			OptionText.number(place + ": y_px", record.get(columns[3])));
+		final int frame = OptionText.wholeNumber(place + ": frame", record.number(columns[0]), 1);
+		final int index = OptionText.wholeNumber(place + ": index", record.number(columns[1]), 0);
+		final Point point = new Point(coordinate(place + ": x_px", record.number(columns[2])),
+			coordinate(place + ": y_px", record.number(columns[3])));
 		if (frames.computeIfAbsent(frame, f -> new TreeMap<>(Comparator.naturalOrder())).put(index,
 			point) != null)
 			throw new UserException(

@@ -2,12 +2,14 @@
 package io.github.knotresolver.io;
 
 import java.io.IOException;
-import java.io.Reader;
+import java.io.StringReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVParser;
@@ -16,13 +18,19 @@ import org.apache.commons.csv.CSVRecord;
 
 import io.github.knotresolver.model.UserException;
 
-/** CSV as this program writes and reads it: UTF-8, commas, line feeds. */
+/**
+ * CSV as this program writes it (UTF-8, commas, line feeds) and as others do: with
+ * semicolons or tabs, Excel's line {@code sep=;}, UTF-16 or Windows-1252, spaces of
+ * any width around cells.
+ */
 final class CsvFile {
 
 	private static final CSVFormat WRITE = CSVFormat.DEFAULT.builder().setRecordSeparator("\n")
 		.get();
 	private static final CSVFormat READ = CSVFormat.DEFAULT.builder().setTrim(true)
 		.setIgnoreEmptyLines(true).get();
+	private static final String SEPARATOR_LINE = "sep=";
+	private static final char[] DELIMITERS = {',', ';', '\t'};
 
 	private CsvFile() {
 	}
@@ -37,23 +45,62 @@ final class CsvFile {
 	}
 
 	/**
-	 * @return all records, the header among them
+	 * @return all rows, the header among them, without empty lines
 	 * @throws UserException if the file is not readable text
 	 */
-	static List<CSVRecord> read(final Path file) {
+	static List<CsvRow> read(final Path file) {
 		if (!Files.isRegularFile(file))
 			throw new UserException("There is no file " + file + "; check the path.");
-		try (Reader reader = Files.newBufferedReader(file, StandardCharsets.UTF_8);
-			CSVParser parser = READ.parse(reader)) {
-			return parser.getRecords();
-		} catch (final IOException | UncheckedIOException e) {
-			throw new UserException(
-				file + " is not a CSV file in UTF-8; save it as one.", e);
+		try {
+			final String text = TextDecoder.decode(Files.readAllBytes(file));
+			if (text.lines().findFirst().orElse("").indexOf('\0') >= 0)
+				throw new UserException(
+					file + " is no text, but a CSV file is; export the table as CSV.");
+			return rows(file, text);
+		} catch (final IOException e) {
+			throw new UserException(file + " cannot be read: " + e.getMessage() + ".", e);
 		}
 	}
 
-	/** @return the text without the mark that some programs put first */
-	static String withoutByteOrderMark(final String text) {
-		return text.startsWith("\uFEFF") ? text.substring(1) : text;
+	private static List<CsvRow> rows(final Path file, final String text) throws IOException {
+		final String first = text.lines().findFirst().orElse("");
+		final Optional<Character> told = separator(first);
+		final char delimiter = told.orElseGet(() -> delimiter(text));
+		final List<CsvRow> rows = new ArrayList<>();
+		try (CSVParser parser = READ.builder().setDelimiter(delimiter).get()
+			.parse(new StringReader(text))) {
+			for (final CSVRecord record : parser)
+				if (told.isEmpty() || record.getRecordNumber() > 1)
+					rows.add(CsvRow.of((int) parser.getCurrentLineNumber(), record));
+			return rows;
+		} catch (final IOException | UncheckedIOException e) {
+			throw new UserException(file + " is damaged after line "
+				+ (rows.isEmpty() ? 0 : rows.get(rows.size() - 1).line())
+				+ ": a quotation mark is missing or stands inside a cell; mend that line.", e);
+		}
+	}
+
+	/** What Excel writes first for readers of another country. */
+	private static Optional<Character> separator(final String line) {
+		final String text = CellText.clean(line.replace("\"", ""));
+		return text.length() == SEPARATOR_LINE.length() + 1
+			&& text.regionMatches(true, 0, SEPARATOR_LINE, 0, SEPARATOR_LINE.length())
+				? Optional.of(text.charAt(SEPARATOR_LINE.length()))
+				: text.equalsIgnoreCase(SEPARATOR_LINE) && line.endsWith("\t")
+					? Optional.of('\t')
+					: Optional.empty();
+	}
+
+	/**
+	 * What parts the cells of the first line: the semicolon or tab if there is one
+	 * outside of quotation marks, for commas are then decimal commas.
+	 */
+	private static char delimiter(final String text) {
+		final String line = text.lines().filter(l -> !l.isBlank()).findFirst().orElse("")
+			.replaceAll("\"[^\"]*\"", "");
+		for (int i = DELIMITERS.length - 1; i > 0; i--)
+			if (line.indexOf(DELIMITERS[i]) >= 0)
+				return DELIMITERS[i];
+		return DELIMITERS[0];
 	}
 }

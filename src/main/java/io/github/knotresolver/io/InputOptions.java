@@ -3,6 +3,7 @@ package io.github.knotresolver.io;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.model.Calibration;
 
 /**
@@ -22,19 +23,31 @@ public record InputOptions(int channel, boolean zAsTime, OptionalDouble pixelSiz
 	public static final InputOptions DEFAULT = new InputOptions(1, false, OptionalDouble.empty(),
 		OptionalDouble.empty(), Optional.empty());
 
-	private static final String MICROMETRE = "µm";
-
 	/**
 	 * What was told, over what the image says.
 	 *
 	 * @param image the image's own calibration
 	 * @return the calibration to use
+	 * @throws UserException if units are missing or implausible; in one sentence
 	 */
 	public Calibration over(final Calibration image) {
-		final boolean sized = pixelSize.isPresent();
-		final String unitOfImage = sized && !image.hasLengthUnit() ? MICROMETRE : image.unit();
-		return new Calibration(pixelSize.orElse(image.pixelSize()), unit.orElse(unitOfImage),
-			frameInterval.orElse(image.frameInterval()),
-			frameInterval.isPresent() ? "s" : image.timeUnit());
+		return new CalibrationChoice(pixelSize, unit, frameInterval).over(image);
+	}
+
+	/**
+	 * @param image what an image says
+	 * @return the same with its time in seconds, if its unit of time is known
+	 */
+	public static Calibration inSeconds(final Calibration image) {
+		return CalibrationChoice.inSeconds(image);
+	}
+
+	/**
+	 * @param image what an image says
+	 * @return whether its unit of length is one that a microscope's image may have; so
+	 *         is none
+	 */
+	public static boolean isPlausible(final Calibration image) {
+		return CalibrationChoice.isPlausible(image);
 	}
 }

@@ -6,6 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
 
@@ -66,14 +67,13 @@ public final class MeasureOptions {
 	}
 
 	private Calibration calibration(final Calibration told) {
-		final boolean sized = given.containsKey("pixel_size");
-		final double size = positive("pixel_size").orElse(told.pixelSize());
-		final String length = given.containsKey("unit")
-			? UnitText.length(given.get("unit"))
-			: sized && !told.hasLengthUnit() ? "µm" : told.unit();
-		final Optional<Double> interval = positive("frame_interval");
-		return new Calibration(size, length, interval.orElse(told.frameInterval()),
-			interval.isPresent() ? "s" : told.timeUnit());
+		return new CalibrationChoice(number("pixel_size"),
+			Optional.ofNullable(given.get("unit")).map(UnitText::length), number("frame_interval"))
+			.over(told);
+	}
+
+	private OptionalDouble number(final String key) {
+		return positive(key).map(OptionalDouble::of).orElse(OptionalDouble.empty());
 	}
 
 	private Optional<Smoothing> smoothing(final ContourInput contours, final Calibration c) {

@@ -1,7 +1,9 @@
 package io.github.knotresolver.io;
 
+import java.util.Arrays;
 import java.util.Optional;
 
+import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.measure.ContourGeometry;
 import io.github.knotresolver.measure.FrameMeasurement;
 import io.github.knotresolver.measure.Quantity;
@@ -29,6 +31,29 @@ public record MeasuredFrame(Observation tracked, Optional<FrameMeasurement> meas
 	/** @return length in the unit of length; NaN if there is none */
 	public double length() {
 		return get(Quantity.LENGTH);
+	}
+
+	/**
+	 * @param pixelSize edge of a pixel in the unit of length
+	 * @return columns of the smoothed contour, of which all other values are; of the
+	 *         contour itself if it was not measured; none without a contour
+	 */
+	public double[] x(final double pixelSize) {
+		return geometry().map(ContourGeometry::x)
+			.orElseGet(() -> scaled(tracked.contour().map(Polyline::xs).orElse(NOTHING), pixelSize));
+	}
+
+	/**
+	 * @param pixelSize edge of a pixel in the unit of length
+	 * @return rows, likewise
+	 */
+	public double[] y(final double pixelSize) {
+		return geometry().map(ContourGeometry::y)
+			.orElseGet(() -> scaled(tracked.contour().map(Polyline::ys).orElse(NOTHING), pixelSize));
+	}
+
+	private static double[] scaled(final double[] values, final double factor) {
+		return Arrays.stream(values).map(v -> v * factor).toArray();
 	}
 
 	/** @return arc length at each point; empty if it was not measured */

@@ -8,7 +8,7 @@ import java.math.RoundingMode;
 /** Numbers as files hold them: a dot, no grouping, in any locale. */
 public final class NumberText {
 
-	private static final MathContext SIX_DIGITS = new MathContext(6, RoundingMode.HALF_EVEN);
+	private static final int SIX = 6;
 	private static final int PIXEL_DECIMALS = 3;
 	/** From here up an exponent reads better than zeros. */
 	private static final double LARGE = 1e12;
@@ -44,11 +44,19 @@ public final class NumberText {
 	 *         it is not finite
 	 */
 	public static String significant(final double value) {
+		return Math.abs(value) < NOTHING ? "0" : significant(value, SIX);
+	}
+
+	/**
+	 * @param value any number
+	 * @param digits how many
+	 * @return it with that many significant digits; empty if it is not finite
+	 */
+	static String significant(final double value, final int digits) {
 		if (!Double.isFinite(value))
 			return "";
-		if (Math.abs(value) < NOTHING)
-			return "0";
-		final BigDecimal rounded = new BigDecimal(value).round(SIX_DIGITS).stripTrailingZeros();
+		final BigDecimal rounded = new BigDecimal(value)
+			.round(new MathContext(digits, RoundingMode.HALF_EVEN)).stripTrailingZeros();
 		return Math.abs(value) < LARGE ? rounded.toPlainString() : rounded.toString();
 	}
 }

@@ -41,9 +41,17 @@ public final class OptionText {
 	 * @return a finite number
 	 */
 	public static double number(final String key, final String text, final String expected) {
-		if (!NUMBER.matcher(text.strip()).matches() || Double.isInfinite(Double.parseDouble(text)))
+		if (!NUMBER.matcher(CellText.clean(text)).matches() || Double.isInfinite(Double.parseDouble(CellText.clean(text))))
 			throw refusal(key, expected, text);
-		return Double.parseDouble(text);
+		return Double.parseDouble(CellText.clean(text));
+	}
+
+	/**
+	 * @param text what was typed
+	 * @return whether it is a number
+	 */
+	static boolean isNumber(final String text) {
+		return NUMBER.matcher(CellText.clean(text)).matches();
 	}
 
 	/**
@@ -64,8 +72,8 @@ public final class OptionText {
 	 * @return a whole number
 	 */
 	public static int wholeNumber(final String key, final String text) {
-		final double value = NUMBER.matcher(text.strip()).matches()
-			? Double.parseDouble(text)
+		final double value = NUMBER.matcher(CellText.clean(text)).matches()
+			? Double.parseDouble(CellText.clean(text))
 			: Double.NaN;
 		if (value != Math.rint(value) || Math.abs(value) > Integer.MAX_VALUE)
 			throw refusal(key, "a whole number", text);
@@ -91,7 +99,7 @@ public final class OptionText {
 	 * @return whether it says yes
 	 */
 	public static boolean flag(final String key, final String text) {
-		return switch (text.strip().toLowerCase(Locale.ROOT)) {
+		return switch (CellText.clean(text).toLowerCase(Locale.ROOT)) {
 			case "true", "yes", "on", "1" -> true;
 			case "false", "no", "off", "0" -> false;
 			default -> throw refusal(key, "true or false", text);
@@ -107,7 +115,7 @@ public final class OptionText {
 	 */
 	public static <E extends Enum<E>> E choice(final String key, final String text,
 		final Class<E> choices) {
-		final String name = text.strip().replace('-', '_');
+		final String name = CellText.clean(text).replace('-', '_');
 		for (final E constant : choices.getEnumConstants())
 			if (constant.name().equalsIgnoreCase(name))
 				return constant;
@@ -122,12 +130,12 @@ public final class OptionText {
 	 * @return the threshold; empty for Otsu's
 	 */
 	public static OptionalDouble threshold(final String text) {
-		if (text.strip().equalsIgnoreCase("otsu"))
+		if (CellText.clean(text).equalsIgnoreCase("otsu"))
 			return OptionalDouble.empty();
-		final boolean isNumber = NUMBER.matcher(text.strip()).matches();
-		if (!isNumber || !(Double.parseDouble(text) >= 0 && Double.parseDouble(text) <= 1))
+		final boolean isNumber = NUMBER.matcher(CellText.clean(text)).matches();
+		if (!isNumber || !(Double.parseDouble(CellText.clean(text)) >= 0 && Double.parseDouble(CellText.clean(text)) <= 1))
 			throw refusal("threshold", "a number from 0 to 1, or otsu", text);
-		return OptionalDouble.of(Double.parseDouble(text));
+		return OptionalDouble.of(Double.parseDouble(CellText.clean(text)));
 	}
 
 	/**
@@ -136,7 +144,7 @@ public final class OptionText {
 	 * @return the point
 	 */
 	public static Point point(final String key, final String text) {
-		final String[] parts = text.strip().split("\\s*,\\s*", -1);
+		final String[] parts = CellText.clean(text).split("\\s*,\\s*", -1);
 		if (parts.length != 2 || !NUMBER.matcher(parts[0]).matches()
 			|| !NUMBER.matcher(parts[1]).matches())
 			throw refusal(key, "X,Y in pixels, such as 46,90.5", text);
@@ -150,9 +158,9 @@ public final class OptionText {
 	 * @return the region
 	 */
 	public static Region region(final String key, final String text) {
-		if (!REGION.matcher(text.strip()).matches())
+		if (!REGION.matcher(CellText.clean(text)).matches())
 			throw refusal(key, "X,Y,WIDTH,HEIGHT in whole pixels, such as 10,0,120,80", text);
-		final int[] parts = Arrays.stream(text.strip().split("\\s*,\\s*"))
+		final int[] parts = Arrays.stream(CellText.clean(text).split("\\s*,\\s*"))
 			.mapToInt(Integer::parseInt).toArray();
 		return new Region(parts[0], parts[1], parts[2], parts[3]);
 	}
@@ -166,6 +174,6 @@ public final class OptionText {
 	public static UserException refusal(final String key, final String expected,
 		final String text) {
 		return new UserException(
-			key + " must be " + expected + ", but is '" + text.strip() + "'.");
+			key + " must be " + expected + ", but is '" + CellText.clean(text) + "'.");
 	}
 }

@@ -95,6 +95,8 @@ public final class ParametersJson {
 		json.put("width", movie.width());
 		json.put("height", movie.height());
 		json.put("frames", movie.size());
+		json.put("unit", movie.calibration().unit());
+		json.put("time_unit", movie.calibration().timeUnit());
 		json.put("file", image.map(Path::toString).orElse(null));
 		return json;
 	}

@@ -117,7 +117,7 @@ class ResultDisplayTest {
 		final ResultsTable contours = tables.contours();
 		assertEquals(3 * 101, contours.size());
 		assertEquals(12, contours.getValue("x [px]", 0));
-		assertEquals(3, contours.getValue("x [µm]", 0));
+		assertEquals(3, contours.getValue("x [µm]", 0), 1e-4);
 		assertTrue(contours.columnExists("curvature [1/µm]"));
 	}
 

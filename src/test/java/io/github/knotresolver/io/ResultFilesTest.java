@@ -50,11 +50,11 @@ class ResultFilesTest {
 		OriginalFiles.writeContours(home.resolve("m"), result);
 
 		final List<String> contours = Files.readAllLines(home.resolve("c"));
-		assertEquals("frame,index,x_px,y_px,x,y,arc_length,tangent_angle,curvature,unit",
+		assertEquals("frame,index,x_px,y_px,x,y,arc_length,tangent_angle,curvature,unit,pixel_size",
 			contours.get(0));
-		assertEquals("1,0,2.000,5.000,1,2.5,0,0,0,µm", contours.get(1));
-		assertEquals("1,20,22.000,5.000,11,2.5,10,0,0,µm", contours.get(21));
-		assertEquals("3,0,2.000,5.000,1,2.5,0,0.927295,0,µm", contours.get(22));
+		assertEquals("1,0,2.000,5.000,1,2.5,0,0,0,µm,0.5", contours.get(1));
+		assertEquals("1,20,22.000,5.000,11,2.5,10,0,0,µm,0.5", contours.get(21));
+		assertEquals("3,0,2.000,5.000,1,2.5,0,0.927295,0,µm,0.5", contours.get(22));
 		final List<String> rows = Files.readAllLines(home.resolve("f"));
 		assertEquals(
 			"frame,status,reason,length,end_to_end,tip_angle,junctions,crossings,candidates,cost,confidence,unit",

@@ -1,0 +1,30 @@
+package io.github.knotresolver.io;
+
+import java.util.regex.Pattern;
+
+/** Text as spreadsheets and web pages leave it in a cell, made plain. */
+final class CellText {
+
+	/** Spaces of all widths, and marks without width. */
+	private static final String SPACE = "[\\s\\p{Z}\\u200B-\\u200D\\u2060\\uFEFF]+";
+	private static final Pattern AROUND = Pattern.compile("^" + SPACE + "|" + SPACE + "$");
+	private static final Pattern DECIMAL_COMMA = Pattern.compile("[+-]?\\d*,\\d+([eE][+-]?\\d+)?");
+
+	private CellText() {
+	}
+
+	/** @return the text without spaces of any kind, and marks without width, around it */
+	static String clean(final String text) {
+		return AROUND.matcher(text).replaceAll("");
+	}
+
+	/** @return whether it is one number with a comma for its dot */
+	static boolean hasDecimalComma(final String text) {
+		return DECIMAL_COMMA.matcher(text).matches();
+	}
+
+	/** @return the text, with a dot in place of the comma if it is such a number */
+	static String withDot(final String text) {
+		return hasDecimalComma(text) ? text.replace(',', '.') : text;
+	}
+}
