@@ -20,7 +20,7 @@ class ArchitectureTest {
 	/** The rooms, in the order in which data walks through them. */
 	private static final List<String> ROOMS = List.of("geometry", "progress", "model", "image", "mask",
 		"skeleton", "graph", "candidate", "contour", "fit", "track", "measure", "pipeline",
-		"simulate", "evaluate", "io", "imagej", "command", "cli");
+		"simulate", "evaluate", "options", "io", "imagej", "command", "cli");
 
 	private static final JavaClasses CLASSES = new ClassFileImporter()
 		.withImportOption(new ImportOption.DoNotIncludeTests())

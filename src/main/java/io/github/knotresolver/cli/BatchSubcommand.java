@@ -12,11 +12,10 @@ import io.github.knotresolver.io.BatchOutcome;
 import io.github.knotresolver.io.BatchOutcome.Status;
 import io.github.knotresolver.io.BatchSheet;
 import io.github.knotresolver.io.MovieFolder;
-import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -42,9 +41,6 @@ final class BatchSubcommand implements Callable<Integer> {
 	@Option(names = "--plots", negatable = true, defaultValue = "true", fallbackValue = "true", description = "Write plots and projections as PNG, or not [on].")
 	private boolean plots;
 
-	@Mixin
-	private ResolveOptions options;
-
 	private final Engine engine;
 	private final Progress progress;
 
@@ -59,7 +55,7 @@ final class BatchSubcommand implements Callable<Integer> {
 		final PrintWriter stderr = spec.commandLine().getErr();
 		final List<BatchOutcome> outcomes;
 		try {
-			final var texts = ResolveOptions.given(spec);
+			final var texts = GivenOptions.of(spec);
 			RunOptions.parse(texts);
 			final BatchSheet sheet = MovieFolder.read(input);
 			if (!sheet.unknownColumns().isEmpty())

@@ -6,9 +6,9 @@ import java.nio.charset.StandardCharsets;
 import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.io.Failure;
 import io.github.knotresolver.io.FailureLog;
-import io.github.knotresolver.io.OptionText;
 import io.github.knotresolver.io.ProgramVersion;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.OptionText;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -76,8 +76,8 @@ public final class KnotResolverMain implements Runnable {
 		System.setProperty("java.awt.headless", "true");
 		final KnotResolverMain program = new KnotResolverMain();
 		final CommandLine line = new CommandLine(program)
-			.addSubcommand(new ResolveSubcommand(engine, progress))
-			.addSubcommand(new BatchSubcommand(engine, progress))
+			.addSubcommand(GivenOptions.taking(new ResolveSubcommand(engine, progress)))
+			.addSubcommand(GivenOptions.taking(new BatchSubcommand(engine, progress)))
 			.addSubcommand(new MeasureSubcommand(progress))
 			.addSubcommand(new SimulateSubcommand(progress))
 			.addSubcommand(new EvaluateSubcommand(engine, progress))

@@ -12,16 +12,16 @@ import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.imagej.ResultWriter;
 import io.github.knotresolver.imagej.RoiConverter;
 import io.github.knotresolver.imagej.SampleMovie;
+import io.github.knotresolver.io.CorrectionsCsv;
 import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.ResultFolder;
-import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.io.RunReport;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -50,9 +50,6 @@ final class ResolveSubcommand implements Callable<Integer> {
 	@Option(names = "--plots", negatable = true, defaultValue = "true", fallbackValue = "true", description = "Write plots and projections as PNG, or not [on].")
 	private boolean plots;
 
-	@Mixin
-	private ResolveOptions options;
-
 	private final Engine engine;
 	private final Progress progress;
 
@@ -73,11 +70,11 @@ final class ResolveSubcommand implements Callable<Integer> {
 		final Movie input;
 		final Settings parameters;
 		try {
-			run = RunOptions.parse(ResolveOptions.given(spec));
+			run = RunOptions.parse(GivenOptions.of(spec));
 			ResultFolder.check(out, force);
 			image = image();
 			input = ImageMovie.of(image, run.input());
-			parameters = run.parameters(input);
+			parameters = run.settings(input, CorrectionsCsv.of(run));
 		} catch (final UserException e) {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
 		}

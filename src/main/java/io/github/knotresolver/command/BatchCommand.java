@@ -19,8 +19,8 @@ import io.github.knotresolver.io.BatchOutcome;
 import io.github.knotresolver.io.BatchOutcome.Status;
 import io.github.knotresolver.io.BatchSheet;
 import io.github.knotresolver.io.MovieFolder;
-import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
 
 /**

@@ -10,9 +10,9 @@ import ij.ImagePlus;
 import ij.gui.GenericDialog;
 import ij.gui.YesNoCancelDialog;
 import io.github.knotresolver.imagej.ImageCalibration;
-import io.github.knotresolver.io.InputOptions;
-import io.github.knotresolver.io.UnitText;
 import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.options.InputOptions;
+import io.github.knotresolver.options.UnitText;
 
 /** What a person is asked about an image that does not tell enough to be a movie. */
 final class MovieQuestions {

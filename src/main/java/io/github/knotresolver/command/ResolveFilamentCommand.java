@@ -28,18 +28,19 @@ import io.github.knotresolver.imagej.ResultDisplay;
 import io.github.knotresolver.imagej.ResultWriter;
 import io.github.knotresolver.imagej.RoiConverter;
 import io.github.knotresolver.imagej.form.Form;
-import io.github.knotresolver.io.InputOptions;
+import io.github.knotresolver.io.CorrectionsCsv;
 import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.ParametersJson;
 import io.github.knotresolver.io.ProgramVersion;
 import io.github.knotresolver.io.ResultFolder;
-import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.io.RunReport;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Region;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.InputOptions;
+import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -189,7 +190,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 		final ImagePlus input = input();
 		final RunOptions options = RunOptions.parse(texts(input));
 		final Movie series = ImageMovie.of(input, options.input());
-		final Settings parameters = options.parameters(series);
+		final Settings parameters = options.settings(series, CorrectionsCsv.of(options));
 		// The image may be closed meanwhile.
 		final RoiConverter rois = RoiConverter.forImage(input, channel);
 		final Optional<Path> file = ImageFile.of(input);

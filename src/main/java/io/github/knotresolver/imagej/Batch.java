@@ -15,13 +15,14 @@ import ij.ImagePlus;
 import io.github.knotresolver.io.BatchOutcome;
 import io.github.knotresolver.io.BatchOutcome.Status;
 import io.github.knotresolver.io.BatchRow;
+import io.github.knotresolver.io.CorrectionsCsv;
 import io.github.knotresolver.io.Failure;
 import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.ResultFolder;
-import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.io.RunReport;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 
@@ -117,8 +118,9 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 		ResultFolder.check(folder, overwrite);
 		final ImagePlus image = ImageFile.open(row.movie());
 		final Movie movie = ImageMovie.of(image, options.input());
-		final MeasuredTracks result = MeasuredTracks.of(engine.resolve(movie, options.parameters(movie), progress),
-			progress);
+		final MeasuredTracks result = MeasuredTracks.of(engine.resolve(movie,
+			options.settings(movie, CorrectionsCsv.of(options)),
+			progress), progress);
 		final RoiConverter rois = RoiConverter.forImage(image, options.input().channel());
 		new ResultWriter(result, options.input(), rois, ImageFile.of(image)).write(folder,
 			overwrite, plots, progress);

@@ -2,10 +2,10 @@
 package io.github.knotresolver.imagej;
 
 import ij.ImagePlus;
-import io.github.knotresolver.io.InputOptions;
-import io.github.knotresolver.io.UnitText;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.InputOptions;
+import io.github.knotresolver.options.UnitText;
 
 /**
  * What an image says about the size of its pixels and the time between its

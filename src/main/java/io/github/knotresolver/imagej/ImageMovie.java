@@ -18,9 +18,9 @@ import net.imglib2.util.Fraction;
 import ij.ImagePlus;
 import ij.ImageStack;
 import ij.process.ImageProcessor;
-import io.github.knotresolver.io.InputOptions;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.InputOptions;
 
 /**
  * An ImageJ image seen as a movie: one channel over time. The pixels are shared

@@ -4,8 +4,8 @@ package io.github.knotresolver.imagej;
 import java.util.List;
 
 import ij.ImagePlus;
-import io.github.knotresolver.io.InputOptions;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.InputOptions;
 
 /** What an image must be to be a movie, each refusal in one sentence. */
 final class MovieChecks {

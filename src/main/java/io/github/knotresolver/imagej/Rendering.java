@@ -3,8 +3,8 @@ package io.github.knotresolver.imagej;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-import io.github.knotresolver.io.OptionText;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.OptionText;
 import io.github.knotresolver.simulate.BitDepth;
 import io.github.knotresolver.simulate.FrameRenderer;
 import io.github.knotresolver.simulate.OpticalRenderer;

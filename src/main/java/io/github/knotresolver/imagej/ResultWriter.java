@@ -11,7 +11,6 @@ import io.github.knotresolver.imagej.plot.AnimatedOverlay;
 import io.github.knotresolver.imagej.plot.Figures;
 import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.FramesCsv;
-import io.github.knotresolver.io.InputOptions;
 import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.OriginalFiles;
 import io.github.knotresolver.io.ParametersJson;
@@ -20,6 +19,7 @@ import io.github.knotresolver.io.SummaryCsv;
 import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.progress.Progress;
 
 /** Writes all files of a result. */

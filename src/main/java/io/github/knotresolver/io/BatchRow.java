@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.RunOptions;
 
 /**
  * One row of a batch sheet.

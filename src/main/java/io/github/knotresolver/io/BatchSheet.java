@@ -9,8 +9,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 
-
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.RunOptions;
 
 /**
  * A sheet of movies with their options, one row a movie: the original tool's

@@ -1,5 +1,12 @@
 package io.github.knotresolver.io;
 
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.OptionText;
+import io.github.knotresolver.options.UnitText;
+
 import java.io.IOException;
 import java.io.Reader;
 import java.nio.charset.StandardCharsets;
@@ -18,12 +25,6 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
-
-
-import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.model.Calibration;
-import io.github.knotresolver.model.UserException;
 
 /**
  * Contours that are to be measured: of a result folder, of a

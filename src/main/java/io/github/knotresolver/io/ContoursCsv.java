@@ -18,6 +18,7 @@ import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.OptionText;
 
 /**
  * {@code contours.csv}: one row a point. {@code x_px, y_px} is the contour as it was

@@ -1,6 +1,9 @@
 
 package io.github.knotresolver.io;
 
+import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.CellText;
+
 import java.io.IOException;
 import java.io.StringReader;
 import java.io.UncheckedIOException;
@@ -15,8 +18,6 @@ import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVParser;
 import org.apache.commons.csv.CSVPrinter;
 import org.apache.commons.csv.CSVRecord;
-
-import io.github.knotresolver.model.UserException;
 
 /**
  * CSV as this program writes it (UTF-8, commas, line feeds) and as others do: with

@@ -1,5 +1,7 @@
 package io.github.knotresolver.io;
 
+import io.github.knotresolver.options.CellText;
+
 import java.util.List;
 
 import org.apache.commons.csv.CSVRecord;

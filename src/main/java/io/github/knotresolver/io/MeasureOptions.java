@@ -1,5 +1,16 @@
 package io.github.knotresolver.io;
 
+import io.github.knotresolver.measure.MovieMeasurements;
+import io.github.knotresolver.measure.Quantity;
+import io.github.knotresolver.measure.Rigidity;
+import io.github.knotresolver.measure.Smoothing;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.CalibrationChoice;
+import io.github.knotresolver.options.OptionText;
+import io.github.knotresolver.options.UnitText;
+import io.github.knotresolver.progress.Progress;
+
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashSet;
@@ -9,14 +20,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
-
-import io.github.knotresolver.measure.MovieMeasurements;
-import io.github.knotresolver.measure.Quantity;
-import io.github.knotresolver.measure.Rigidity;
-import io.github.knotresolver.measure.Smoothing;
-import io.github.knotresolver.model.Calibration;
-import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.progress.Progress;
 
 /**
  * The options of a measurement, read from text: one definition for the command

@@ -7,7 +7,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -17,12 +16,11 @@ import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 import com.google.gson.JsonObject;
 
-import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.Movie;
-import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.options.InputOptions;
+import io.github.knotresolver.options.RunOptions;
 
 /**
  * {@code parameters.json}: everything needed to repeat a run, with the
@@ -55,7 +53,7 @@ public final class ParametersJson {
 		json.put(PROGRAM, ProgramVersion.NAME);
 		json.put("version", ProgramVersion.get());
 		json.put("movie", movie(tracks.movie(), image));
-		json.put("options", options(tracks, input));
+		json.put("options", RunOptions.values(tracks.settings(), input, tracks.movie().calibration()));
 		json.put("corrections", corrections(tracks.settings().corrections()));
 		json.put("found", found(tracks));
 		json.put("notes", tracks.notes());
@@ -71,7 +69,7 @@ public final class ParametersJson {
 	 */
 	public static String line(final Tracks tracks, final InputOptions input) {
 		final StringBuilder line = new StringBuilder();
-		options(tracks, input).forEach((key, value) -> {
+		RunOptions.values(tracks.settings(), input, tracks.movie().calibration()).forEach((key, value) -> {
 			if (value != null)
 				line.append(line.isEmpty() ? "" : " ").append(key).append('=').append(value);
 		});
@@ -101,40 +99,6 @@ public final class ParametersJson {
 		return json;
 	}
 
-	private static Map<String, Object> options(final Tracks tracks,
-		final InputOptions input) {
-		final Settings p = tracks.settings();
-		final Calibration c = tracks.movie().calibration();
-		final Map<String, Object> json = new LinkedHashMap<>();
-		json.put("fixed_end", p.fixedEnd().map(Point::toString).orElse(null));
-		json.put("region", p.region().map(Object::toString).orElse(null));
-		json.put("threshold",
-			p.segmentation().threshold().isPresent()
-				? p.segmentation().threshold().getAsDouble()
-				: "otsu");
-		json.put("iterations", p.segmentation().iterations());
-		json.put("contraction_bias", p.segmentation().contractionBias());
-		json.put("smooth_factor", p.segmentation().smoothFactor());
-		json.put("segmentation", label(p.segmentation().steps()));
-		json.put("log_size", p.cleaning().enhances() ? p.cleaning().logSize() : null);
-		json.put("log_sigma", p.cleaning().enhances() ? p.cleaning().logSigma() : null);
-		json.put("candidates", label(p.candidates()));
-		json.put("resolver", label(p.resolver()));
-		json.put("length",
-			p.length().isPresent() ? p.length().getAsDouble() * c.pixelSize() : null);
-		json.put("length_model", label(p.lengthModel()));
-		json.put("refine", p.refine());
-		json.put("channel", input.channel());
-		json.put("z_as_time", input.zAsTime());
-		json.put("frames", p.frames().isEmpty() ? null : FrameSelection.format(p.frames()));
-		json.put("ignore_frames",
-			p.ignoreFrames().isEmpty() ? null : FrameSelection.format(p.ignoreFrames()));
-		json.put("pixel_size", c.hasLengthUnit() ? c.pixelSize() : null);
-		json.put("unit", c.hasLengthUnit() ? c.unit() : null);
-		json.put("frame_interval", c.hasTimeUnit() ? c.frameInterval() : null);
-		return json;
-	}
-
 	private static Map<String, Object> found(final Tracks tracks) {
 		final double pixelSize = tracks.movie().calibration().pixelSize();
 		final Map<String, Object> json = new LinkedHashMap<>();
@@ -155,9 +119,5 @@ public final class ParametersJson {
 
 	private static Double finite(final double value) {
 		return Double.isFinite(value) ? Double.valueOf(NumberText.significant(value)) : null;
-	}
-
-	private static String label(final Enum<?> constant) {
-		return constant.name().toLowerCase(Locale.ROOT);
 	}
 }

@@ -15,6 +15,7 @@ import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
 
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.RunOptions;
 
 /**
  * A finished result folder, as far as it tells how it was made.

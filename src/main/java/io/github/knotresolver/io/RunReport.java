@@ -10,6 +10,7 @@ import java.util.TreeSet;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.options.FrameSelection;
 
 /** A result in a few lines, for people. */
 public final class RunReport {

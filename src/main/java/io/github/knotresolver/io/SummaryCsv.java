@@ -10,6 +10,7 @@ import org.apache.commons.csv.CSVPrinter;
 
 import io.github.knotresolver.measure.DominantFrequency;
 import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.options.InputOptions;
 
 /**
  * {@code summary.csv}: one row for the movie. Lengths are in {@code unit}, the

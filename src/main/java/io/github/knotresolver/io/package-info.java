@@ -5,7 +5,7 @@
  * A result folder is complete or absent
  * ({@link io.github.knotresolver.io.ResultFolder}). Numbers are written with a
  * dot and lines end with a line feed, whatever the machine's locale. The names
- * of options are defined once ({@link io.github.knotresolver.io.RunOptions})
+ * of options are defined once ({@link io.github.knotresolver.options.RunOptions})
  * for the command line, macros and batch sheets. Nothing here knows ImageJ.
  */
 

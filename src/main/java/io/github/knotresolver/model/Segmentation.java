@@ -50,4 +50,44 @@ public record Segmentation(Steps steps, OptionalDouble threshold, int iterations
 			throw new UserException(
 				"smooth_factor must be from 0 to 10, but is " + smoothFactor + ".");
 	}
+
+	/**
+	 * @param value which steps lead to the mask
+	 * @return the same with that
+	 */
+	public Segmentation withSteps(final Steps value) {
+		return new Segmentation(value, threshold, iterations, contractionBias, smoothFactor);
+	}
+
+	/**
+	 * @param value intensity 0..1; empty for the automatic one
+	 * @return the same with that
+	 */
+	public Segmentation withThreshold(final OptionalDouble value) {
+		return new Segmentation(steps, value, iterations, contractionBias, smoothFactor);
+	}
+
+	/**
+	 * @param value of the active contour, 0..1000
+	 * @return the same with that
+	 */
+	public Segmentation withIterations(final int value) {
+		return new Segmentation(steps, threshold, value, contractionBias, smoothFactor);
+	}
+
+	/**
+	 * @param value -1..1
+	 * @return the same with that
+	 */
+	public Segmentation withContractionBias(final double value) {
+		return new Segmentation(steps, threshold, iterations, value, smoothFactor);
+	}
+
+	/**
+	 * @param value 0..10
+	 * @return the same with that
+	 */
+	public Segmentation withSmoothFactor(final double value) {
+		return new Segmentation(steps, threshold, iterations, contractionBias, value);
+	}
 }

@@ -16,7 +16,6 @@ import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.imagej.ResultDisplay;
 import io.github.knotresolver.imagej.RoiConverter;
 import io.github.knotresolver.imagej.TestImages;
-import io.github.knotresolver.io.InputOptions;
 import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.model.Anchor;
 import io.github.knotresolver.model.FilamentTrack;
@@ -24,6 +23,7 @@ import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.progress.Progress;
 
 /**

@@ -23,8 +23,8 @@ import org.scijava.plugin.Plugin;
 import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.imagej.form.FormField;
 import io.github.knotresolver.imagej.form.MacroOptions;
-import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.RunOptions;
 
 /** The keys, labels and ranges of every Command, and how macros fill them in. */
 class FormTest {

@@ -1,5 +1,6 @@
 package io.github.knotresolver.command;
 
+import static org.junit.jupiter.api.Assertions.assertAll;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
@@ -15,6 +16,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.Set;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -45,9 +47,12 @@ import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.imagej.SampleMovie;
 import io.github.knotresolver.imagej.TestImages;
 import io.github.knotresolver.imagej.form.Form;
-import io.github.knotresolver.io.RunOptions;
+import io.github.knotresolver.imagej.form.FormField;
 import io.github.knotresolver.model.Region;
 import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.options.Option;
+import io.github.knotresolver.options.ResolveOptions;
+import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 
@@ -81,6 +86,43 @@ class ResolveFilamentCommandTest {
 		for (final ModuleItem<?> input : info.inputs())
 			assertFalse(input.isPersisted() && RunOptions.KEYS.contains(input.getName()),
 				input.getName());
+	}
+
+	/** The Command's fields are annotated in Java; the list of options says with what. */
+	@Test
+	void itsFormIsThatOfTheListOfOptions() {
+		final CommandInfo info = context.service(CommandService.class)
+			.getCommand(ResolveFilamentCommand.class);
+		final Map<String, FormField> fields = Form.of(new ResolveFilamentCommand()).fields()
+			.stream().collect(Collectors.toMap(FormField::key, f -> f));
+		for (final Option option : ResolveOptions.ALL) {
+			final ModuleItem<?> input = info.getInput(option.key());
+			final FormField field = fields.get(option.key());
+			assertAll(option.key(), () -> assertEquals(option.label(), input.getLabel()),
+				() -> assertEquals(Set.copyOf(option.choices()), Set.copyOf(field.choices())),
+				() -> assertEquals(option.kind().name(), field.kind().name()),
+				() -> assertTrue(isDefault(option, field.text()), field.text()),
+				() -> assertTrue(isRange(option, input), option.range()));
+		}
+	}
+
+	/** Words of the list stand for nothing, 0 or no in a form. */
+	private static boolean isDefault(final Option option, final String text) {
+		return switch (option.byDefault()) {
+			case "on" -> text.equals("true");
+			case "off" -> text.equals("false") || text.equals("0");
+			default -> text.equals(option.byDefault()) || text.isEmpty() || text.equals("0");
+		};
+	}
+
+	private static boolean isRange(final Option option, final ModuleItem<?> input) {
+		return !option.range().matches("-?[0-9.]+ to -?[0-9.]+") || input.getMinimumValue() == null
+			|| option.range().equals(text(input.getMinimumValue()) + " to "
+				+ text(input.getMaximumValue()));
+	}
+
+	private static String text(final Object number) {
+		return String.valueOf(number).replaceFirst("\\.0$", "");
 	}
 
 	/** imagej-legacy takes Commands with {@code no-legacy} from the list of modules. */

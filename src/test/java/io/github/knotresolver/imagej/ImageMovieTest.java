@@ -24,11 +24,11 @@ import ij.ImagePlus;
 import ij.VirtualStack;
 import ij.process.ImageProcessor;
 import ij.process.ShortProcessor;
-import io.github.knotresolver.io.InputOptions;
-import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.InputOptions;
+import io.github.knotresolver.options.RunOptions;
 
 class ImageMovieTest {
 

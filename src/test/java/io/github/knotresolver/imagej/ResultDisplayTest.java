@@ -24,11 +24,11 @@ import ij.io.RoiDecoder;
 import ij.io.RoiEncoder;
 import ij.measure.ResultsTable;
 import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.io.InputOptions;
 import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.progress.Progress;
 
 class ResultDisplayTest {

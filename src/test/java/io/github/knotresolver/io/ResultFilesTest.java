@@ -32,6 +32,8 @@ import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.InputOptions;
+import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
 
 class ResultFilesTest {

@@ -15,8 +15,6 @@ import java.util.stream.IntStream;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageMovie;
-import io.github.knotresolver.io.InputOptions;
-import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.model.Anchor;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.FrameStatus;
@@ -25,6 +23,8 @@ import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.InputOptions;
+import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
 
 /**

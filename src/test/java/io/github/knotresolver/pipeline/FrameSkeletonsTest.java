@@ -19,10 +19,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 import io.github.knotresolver.fit.DrawnMovie;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
 
 class FrameSkeletonsTest {

@@ -14,9 +14,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageMovie;
-import io.github.knotresolver.io.InputOptions;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.progress.Progress;
 
 /**

@@ -18,10 +18,10 @@ import org.openjdk.jmh.annotations.Warmup;
 import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.imagej.SampleMovie;
-import io.github.knotresolver.io.InputOptions;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.progress.Progress;
 
 /**

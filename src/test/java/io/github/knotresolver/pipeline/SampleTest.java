@@ -21,12 +21,12 @@ import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.imagej.SampleMovie;
 import io.github.knotresolver.io.ContoursCsv;
-import io.github.knotresolver.io.InputOptions;
 import io.github.knotresolver.io.MeasuredTracks;
-import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.options.InputOptions;
+import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
 
 /** The sample movie, whose truth is known, with nothing told. */

@@ -5,9 +5,9 @@ import java.util.Map;
 import java.util.TreeMap;
 
 import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.io.RunOptions;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.options.RunOptions;
 
 /** What is compared: options of the pipeline, as a user would give them. */
 public enum Method {

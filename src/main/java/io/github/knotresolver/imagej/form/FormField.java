@@ -10,8 +10,8 @@ import org.scijava.plugin.Parameter;
 
 import ij.ImagePlus;
 import ij.WindowManager;
-import io.github.knotresolver.io.OptionText;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.OptionText;
 
 /**
  * One {@code @Parameter} of a Command. Its key in macros is the name of the

@@ -1,9 +1,9 @@
-package io.github.knotresolver.io;
+package io.github.knotresolver.options;
 
 import java.util.regex.Pattern;
 
 /** Text as spreadsheets and web pages leave it in a cell, made plain. */
-final class CellText {
+public final class CellText {
 
 	/** Spaces of all widths, and marks without width. */
 	private static final String SPACE = "[\\s\\p{Z}\\u200B-\\u200D\\u2060\\uFEFF]+";
@@ -14,17 +14,17 @@ final class CellText {
 	}
 
 	/** @return the text without spaces of any kind, and marks without width, around it */
-	static String clean(final String text) {
+	public static String clean(final String text) {
 		return AROUND.matcher(text).replaceAll("");
 	}
 
 	/** @return whether it is one number with a comma for its dot */
-	static boolean hasDecimalComma(final String text) {
+	public static boolean hasDecimalComma(final String text) {
 		return DECIMAL_COMMA.matcher(text).matches();
 	}
 
 	/** @return the text, with a dot in place of the comma if it is such a number */
-	static String withDot(final String text) {
+	public static String withDot(final String text) {
 		return hasDecimalComma(text) ? text.replace(',', '.') : text;
 	}
 }

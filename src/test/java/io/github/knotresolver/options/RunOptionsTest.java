@@ -1,7 +1,9 @@
 
-package io.github.knotresolver.io;
+package io.github.knotresolver.options;
 
+import static org.junit.jupiter.api.Assertions.assertAll;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -12,6 +14,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.TreeSet;
 
 import net.imglib2.img.array.ArrayImgs;
@@ -22,6 +26,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.io.CorrectionsCsv;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.CandidateMethod;
 import io.github.knotresolver.model.LengthModel;
@@ -31,7 +36,7 @@ import io.github.knotresolver.model.ResolverMethod;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.UserException;
 
-class OptionsTest {
+class RunOptionsTest {
 
 	private static final Movie MOVIE = new Movie("m", ArrayImgs.unsignedBytes(20, 10, 50),
 		new Calibration(0.5, "µm", 2, "s"));
@@ -61,7 +66,8 @@ class OptionsTest {
 			Map.entry("corrections", corrections.toString()), Map.entry("pixel_size", "0.2"),
 			Map.entry("frame_interval", "3"), Map.entry("unit", "micron"),
 			Map.entry("threads", "3")));
-		final Settings p = options.parameters(MOVIE);
+		final Settings p = options.settings(MOVIE, CorrectionsCsv.of(options));
+		assertThrows(IllegalStateException.class, () -> options.parameters(MOVIE));
 		assertEquals(Optional.of(new Point(3, 4.5)), p.fixedEnd());
 		assertEquals(OptionalDouble.of(0.3), p.segmentation().threshold());
 		assertEquals(7, p.segmentation().iterations());
@@ -135,6 +141,41 @@ class OptionsTest {
 		final String message = assertThrows(UserException.class,
 			() -> RunOptions.parse(Map.of("treshold", "1"))).getMessage();
 		assertTrue(message.contains("'treshold'") && message.contains("threshold"), message);
+	}
+
+	@Test
+	void whatIsWrittenIsReadBack() {
+		final Map<String, String> texts = Map.ofEntries(Map.entry("fixed_end", "3.0,4.5"),
+			Map.entry("region", "1,1,12,8"), Map.entry("threshold", "0.3"),
+			Map.entry("iterations", "7"), Map.entry("contraction_bias", "-0.5"),
+			Map.entry("smooth_factor", "1.0"), Map.entry("segmentation", "active_contour"),
+			Map.entry("log_size", "9"), Map.entry("log_sigma", "1.5"),
+			Map.entry("candidates", "paper"), Map.entry("resolver", "paper"),
+			Map.entry("length", "6.0"), Map.entry("length_model", "free"),
+			Map.entry("refine", "false"), Map.entry("channel", "2"), Map.entry("z_as_time", "true"),
+			Map.entry("frames", "1-4,9"), Map.entry("ignore_frames", "2-3"));
+		final RunOptions options = RunOptions.parse(texts);
+		final Map<String, Object> values = RunOptions.values(options.parameters(MOVIE),
+			options.input(), MOVIE.calibration());
+		texts.forEach((key, text) -> assertEquals(text, String.valueOf(values.get(key)), key));
+		assertEquals(MOVIE.calibration().pixelSize(), values.get("pixel_size"));
+		assertEquals(MOVIE.calibration().frameInterval(), values.get("frame_interval"));
+		final Set<String> unwritten = new TreeSet<>(RunOptions.KEYS);
+		unwritten.removeAll(values.keySet());
+		assertEquals(Set.of("corrections", "threads"), unwritten);
+	}
+
+	@Test
+	void everyOptionSaysWhatItIs() {
+		for (final Option option : ResolveOptions.ALL)
+			assertAll(option.key(),
+				() -> assertTrue(option.key().matches("[a-z]+(_[a-z]+)*"), "key"),
+				() -> assertTrue(option.help().matches("[A-Z].*[^.]"), "help"),
+				() -> assertFalse(option.byDefault().isEmpty(), "default"),
+				() -> assertEquals(option.kind() == Option.Kind.FLAG, option.values().isEmpty(),
+					"values"),
+				() -> assertEquals(option.kind() == Option.Kind.CHOICE,
+					option.choices().contains(option.byDefault()), "choices"));
 	}
 
 	@Test

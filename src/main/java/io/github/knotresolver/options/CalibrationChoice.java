@@ -1,11 +1,14 @@
-package io.github.knotresolver.io;
-
-import java.util.Locale;
-import java.util.Optional;
-import java.util.OptionalDouble;
+package io.github.knotresolver.options;
 
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * What a person tells about pixels and frames, over what an image or a result
@@ -16,7 +19,7 @@ import io.github.knotresolver.model.UserException;
  * @param unit unit of length; empty if it is not told
  * @param frameInterval seconds between frames; empty if it is not told
  */
-record CalibrationChoice(OptionalDouble pixelSize, Optional<String> unit,
+public record CalibrationChoice(OptionalDouble pixelSize, Optional<String> unit,
 	OptionalDouble frameInterval) {
 
 	/** Pixels of microscopes, in µm: from a tenth of a nanometre to a millimetre. */
@@ -32,7 +35,7 @@ record CalibrationChoice(OptionalDouble pixelSize, Optional<String> unit,
 	 * @throws UserException if units are missing, do not fit each other, or are
 	 *           implausible; in one sentence that says what to tell
 	 */
-	Calibration over(final Calibration image) {
+	public Calibration over(final Calibration image) {
 		final Calibration length = length(image);
 		final Calibration time = time(image);
 		return new Calibration(length.pixelSize(), length.unit(), time.frameInterval(),
@@ -43,7 +46,7 @@ record CalibrationChoice(OptionalDouble pixelSize, Optional<String> unit,
 	 * @param c a calibration
 	 * @return the same with its time in seconds, if its unit of time is known
 	 */
-	static Calibration inSeconds(final Calibration c) {
+	public static Calibration inSeconds(final Calibration c) {
 		final OptionalDouble seconds = UnitText.seconds(c.timeUnit());
 		return seconds.isEmpty() || seconds.getAsDouble() == 1
 			? c
@@ -62,7 +65,7 @@ record CalibrationChoice(OptionalDouble pixelSize, Optional<String> unit,
 	 * @return whether its unit of length is one that a microscope's image may have;
 	 *         so is none
 	 */
-	static boolean isPlausible(final Calibration image) {
+	public static boolean isPlausible(final Calibration image) {
 		if (!image.hasLengthUnit())
 			return true;
 		final OptionalDouble size = UnitText.micrometres(image.unit());
@@ -116,9 +119,14 @@ record CalibrationChoice(OptionalDouble pixelSize, Optional<String> unit,
 				"unit is " + in + ", but the pixels' size is known in " + image.unit()
 					+ " only; tell pixel_size, too.");
 		return new Calibration(
-			Double.parseDouble(NumberText
-				.significant(image.pixelSize() * from.getAsDouble() / to.getAsDouble(), 12)),
+			rounded(image.pixelSize() * from.getAsDouble() / to.getAsDouble()),
 			in, 1, Calibration.NONE.timeUnit());
+	}
+
+	/** To twelve digits: a conversion of units leaves no trace of binary fractions. */
+	private static double rounded(final double value) {
+		return new BigDecimal(value).round(new MathContext(12, RoundingMode.HALF_EVEN))
+			.doubleValue();
 	}
 
 	private Calibration time(final Calibration image) {

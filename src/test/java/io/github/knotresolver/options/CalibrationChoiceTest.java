@@ -1,4 +1,7 @@
-package io.github.knotresolver.io;
+package io.github.knotresolver.options;
+
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.UserException;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -12,9 +15,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-
-import io.github.knotresolver.model.Calibration;
-import io.github.knotresolver.model.UserException;
 
 class CalibrationChoiceTest {
 

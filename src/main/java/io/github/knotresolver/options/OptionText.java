@@ -1,5 +1,5 @@
 
-package io.github.knotresolver.io;
+package io.github.knotresolver.options;
 
 import java.util.Arrays;
 import java.util.Locale;
@@ -50,7 +50,7 @@ public final class OptionText {
 	 * @param text what was typed
 	 * @return whether it is a number
 	 */
-	static boolean isNumber(final String text) {
+	public static boolean isNumber(final String text) {
 		return NUMBER.matcher(CellText.clean(text)).matches();
 	}
 

@@ -1,5 +1,5 @@
 
-package io.github.knotresolver.io;
+package io.github.knotresolver.options;
 
 import java.util.Locale;
 import java.util.Map;

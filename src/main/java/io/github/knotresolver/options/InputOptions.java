@@ -1,10 +1,10 @@
-package io.github.knotresolver.io;
+package io.github.knotresolver.options;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
 
-import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.UserException;
 
 /**
  * How a movie is taken from an image file.
