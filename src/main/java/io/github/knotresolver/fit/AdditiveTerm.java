@@ -3,8 +3,6 @@ package io.github.knotresolver.fit;
 
 import java.util.Arrays;
 
-import org.apache.commons.math3.special.Erf;
-
 /**
  * The additive line model: a pixel sees the sum over all links of the line
  * integral of a Gaussian point spread function, which for one link is
@@ -23,6 +21,7 @@ final class AdditiveTerm implements ImageTerm {
 	private final Table gauss;
 	private final Table error;
 	private final double density;
+	private final Robust robust;
 
 	private final double[] model;
 	private final int[] head;
@@ -39,15 +38,16 @@ final class AdditiveTerm implements ImageTerm {
 	private int[] nodes = new int[64];
 	private double[] jacobian = new double[128];
 
-	AdditiveTerm(final NormalizedFrame frame, final LineModel line, final int links) {
+	AdditiveTerm(final NormalizedFrame frame, final LineTables line, final int links) {
 		this.frame = frame;
 		strip = new Strip(frame.width(), frame.height());
-		brightness = line.brightnessOfLinks(links);
-		sigma2 = line.sigma() * line.sigma();
-		reach = line.sigma() * 4.2;
-		gauss = new Table(reach * reach, d2 -> Math.exp(-d2 / (2 * sigma2)));
-		error = new Table(reach, d -> 0.5 * Erf.erfc(d / Math.sqrt(2 * sigma2)));
+		brightness = line.model().brightnessOfLinks(links);
+		sigma2 = line.model().sigma() * line.model().sigma();
+		reach = line.reach();
+		gauss = line.across();
+		error = line.along();
 		density = 1 / Math.sqrt(2 * Math.PI * sigma2);
+		robust = line.robust();
 		final int pixels = frame.pixels().length;
 		model = new double[pixels];
 		head = new int[pixels];
@@ -66,7 +66,7 @@ final class AdditiveTerm implements ImageTerm {
 		for (int b = 0; b < bandSize; b++) {
 			final int at = band[b];
 			final double residual = pixels[at] - model[at];
-			sum += Robust.price(residual) - Robust.price(pixels[at]);
+			sum += robust.price(residual) - robust.price(pixels[at]);
 			if (system != null)
 				addPixel(at, residual, system);
 			model[at] = 0;
@@ -114,7 +114,7 @@ final class AdditiveTerm implements ImageTerm {
 			jacobian[2 * count + 1] = slope[4 * e + 1];
 			count++;
 		}
-		system.add(nodes, jacobian, count, Robust.weight(residual), residual);
+		system.add(nodes, jacobian, count, robust.weight(residual), residual);
 	}
 
 	private void accumulate(final double[] x, final double[] y, final int links,

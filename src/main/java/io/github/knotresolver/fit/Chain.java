@@ -16,6 +16,10 @@ public final class Chain {
 	/** A curvature is taken over so many links to both sides. */
 	private static final int NEAR_LINKS = 3;
 
+	/** Links of the chains of a scene: about so long (pixels), and at least so many. */
+	private static final double SCENE_LINK = 3;
+	private static final int FEWEST_LINKS = 8;
+
 	private final double x0;
 	private final double y0;
 	private final double[] theta;
@@ -53,6 +57,25 @@ public final class Chain {
 	 */
 	static double nearest(final double angle, final double other) {
 		return angle + 2 * Math.PI * Math.rint((other - angle) / (2 * Math.PI));
+	}
+
+	/**
+	 * A curve as one of the chains of a scene: of its own length, with links of about 3 px.
+	 *
+	 * @param curve at least two different points, in pixels
+	 * @param length of the chain in pixels; the curve is scaled to it
+	 * @return the chain, with at least 8 links
+	 */
+	public static Chain inScene(final Polyline curve, final double length) {
+		return along(curve, Math.max(FEWEST_LINKS, (int) Math.rint(length / SCENE_LINK)), length);
+	}
+
+	/**
+	 * @param links number of links, at least 2
+	 * @return the same curve with so many links
+	 */
+	public Chain divided(final int links) {
+		return links == theta.length ? this : along(polyline(), links, length());
 	}
 
 	/** @return the number of links */
@@ -179,6 +202,96 @@ public final class Chain {
 		final int from = Math.max(0, at - NEAR_LINKS),
 			to = Math.min(theta.length - 1, at + NEAR_LINKS);
 		return (theta[to] - theta[from]) / (to - from);
+	}
+
+	/**
+	 * This filament if it went on moving, as a whole, as it did since an earlier shape.
+	 *
+	 * @param earlier an earlier chain with as many links
+	 * @return the extrapolated chain
+	 */
+	public Chain continued(final Chain earlier) {
+		final Chain turned = extrapolated(earlier, 1);
+		return turned.shifted(x0 - earlier.x0, y0 - earlier.y0);
+	}
+
+	/**
+	 * This filament after it has slid along its own track; beyond its ends it goes straight
+	 * on. So a filament glides.
+	 *
+	 * @param by how far towards its last point, in pixels; negative towards its first
+	 * @return the chain, of the same length
+	 */
+	public Chain slid(final double by) {
+		final int n = theta.length;
+		final double[] next = new double[n];
+		for (int i = 0; i < n; i++) {
+			final double at = Math.max(0, Math.min(n - 1, i + by / linkLength));
+			final int low = Math.min((int) at, n - 1), high = Math.min(low + 1, n - 1);
+			next[i] = theta[low] + (at - low) * (theta[high] - theta[low]);
+		}
+		double x = x0, y = y0, left = by;
+		for (int i = 0; i < n && left > 0; i++) {
+			final double step = i == n - 1 ? left : Math.min(left, linkLength);
+			x += step * Math.cos(theta[i]);
+			y += step * Math.sin(theta[i]);
+			left -= step;
+		}
+		return new Chain(x + Math.min(0, left) * Math.cos(theta[0]),
+			y + Math.min(0, left) * Math.sin(theta[0]), next, linkLength);
+	}
+
+	/**
+	 * How far a filament has slid along itself.
+	 *
+	 * @param later a later shape with as many links
+	 * @return the mean motion of its points along their links, in pixels
+	 */
+	public double slide(final Chain later) {
+		final int n = theta.length;
+		final double[] ax = new double[n + 1], ay = new double[n + 1], bx = new double[n + 1],
+			by = new double[n + 1];
+		nodes(ax, ay);
+		later.nodes(bx, by);
+		double sum = 0;
+		for (int i = 0; i < n; i++)
+			sum += (bx[i] - ax[i]) * Math.cos(later.theta[i])
+				+ (by[i] - ay[i]) * Math.sin(later.theta[i]);
+		return sum / n;
+	}
+
+	/** @return the sum of squared turns from link to link, by the length of a link, in 1/px */
+	public double bending() {
+		double sum = 0;
+		for (int i = 1; i < theta.length; i++)
+			sum += (theta[i] - theta[i - 1]) * (theta[i] - theta[i - 1]);
+		return sum / linkLength;
+	}
+
+	/** @return the same filament from its last point to its first */
+	public Chain reversed() {
+		final int n = theta.length;
+		final double[] x = new double[n + 1], y = new double[n + 1], next = new double[n];
+		nodes(x, y);
+		for (int i = 0; i < n; i++)
+			next[i] = theta[n - 1 - i] + Math.PI;
+		return new Chain(x[n], y[n], next, linkLength);
+	}
+
+	/**
+	 * @param dx columns in pixels
+	 * @param dy rows in pixels
+	 * @return the chain moved as a whole
+	 */
+	public Chain shifted(final double dx, final double dy) {
+		return new Chain(x0 + dx, y0 + dy, theta, linkLength);
+	}
+
+	/** The chain whose last links have other directions, in radians. */
+	Chain withTail(final double[] tail) {
+		final double[] next = theta.clone();
+		System.arraycopy(tail, 0, next, next.length - tail.length, tail.length);
+		return new Chain(x0, y0, next, linkLength);
 	}
 
 	/**

@@ -31,7 +31,7 @@ public final class FilamentFitter {
 	private final Optional<Point> clamp;
 	private final FitSettings settings;
 	private final int links;
-	private final NodeSystem nodes;
+	private NodeSystem nodes;
 	private final double[] x;
 	private final double[] y;
 
@@ -44,12 +44,15 @@ public final class FilamentFitter {
 	 */
 	public FilamentFitter(final NormalizedFrame frame, final LineModel model, final int links,
 		final Optional<Point> clamp, final FitSettings settings) {
-		this.image = ImageTerm.of(frame, model, links);
+		this(ImageTerm.of(frame, model, links), links, clamp, settings);
+	}
+
+	FilamentFitter(final ImageTerm image, final int links, final Optional<Point> clamp,
+		final FitSettings settings) {
+		this.image = image;
 		this.clamp = clamp;
 		this.settings = settings;
 		this.links = links;
-		nodes = new NodeSystem(links + 1,
-			image.couplesFarNodes() || settings.freeLength() ? links : 1);
 		x = new double[links + 1];
 		y = new double[links + 1];
 	}
@@ -64,6 +67,9 @@ public final class FilamentFitter {
 	 */
 	public Fit fit(final Chain start, final Optional<Chain> predicted) {
 		final boolean freeLength = settings.freeLength();
+		if (nodes == null)
+			nodes = new NodeSystem(links + 1,
+				image.couplesFarNodes() || freeLength ? links : 1);
 		final StepSystem system = image.couplesFarNodes() || freeLength
 			? new ReducedSystem(links, freeLength)
 			: new ChainSystem(links);

@@ -31,7 +31,7 @@ public record FitQuality(double misfit, double dark) {
 		double sum = 0;
 		for (int i = 0; i < picture.length; i++)
 			if (near[i])
-				sum += Robust.price(frame.pixels()[i] - picture[i]);
+				sum += Robust.ALONE.price(frame.pixels()[i] - picture[i]);
 		return new FitQuality(sum / chain.length(), dark(frame, model, chain));
 	}
 

@@ -41,9 +41,24 @@ interface ImageTerm {
 	 * @return the term for the model's kind
 	 */
 	static ImageTerm of(final NormalizedFrame frame, final LineModel model, final int links) {
-		return switch (model.kind()) {
-			case SATURATING -> new SaturatingTerm(frame, model, links);
-			case ADDITIVE -> new AdditiveTerm(frame, model, links);
+		return of(frame, new LineTables(model, Robust.ALONE), links,
+			model.kind() == LineModel.Kind.ADDITIVE
+				? new double[0]
+				: new double[frame.pixels().length]);
+	}
+
+	/**
+	 * @param frame the frame; of lines that add up, less what is drawn already
+	 * @param line the line
+	 * @param links number of links of the chains to come
+	 * @param others of lines that saturate, for every pixel the light of what is drawn already
+	 * @return the term for the line's kind
+	 */
+	static ImageTerm of(final NormalizedFrame frame, final LineTables line, final int links,
+		final double[] others) {
+		return switch (line.model().kind()) {
+			case SATURATING -> new SaturatingTerm(frame, line, links, others);
+			case ADDITIVE -> new AdditiveTerm(frame, line, links);
 		};
 	}
 }

@@ -25,20 +25,33 @@ public final class LineEstimator {
 	}
 
 	/**
-	 * A frame and the curve in it.
+	 * A frame and the curves in it.
 	 *
 	 * @param frame the frame
-	 * @param chain the curve
+	 * @param chains the curves, at least one
 	 * @param near for every pixel whether it is looked at
 	 */
-	public record Example(NormalizedFrame frame, Chain chain, boolean[] near) {
+	public record Example(NormalizedFrame frame, List<Chain> chains, boolean[] near) {
 
 		/**
 		 * @param frame the frame
-		 * @param chain the curve
+		 * @param chain its only curve
 		 */
 		public Example(final NormalizedFrame frame, final Chain chain) {
-			this(frame, chain, Neighbourhood.of(frame, chain, NEIGHBOURHOOD));
+			this(frame, List.of(chain));
+		}
+
+		/**
+		 * @param frame the frame
+		 * @param chains all its curves
+		 */
+		public Example(final NormalizedFrame frame, final List<Chain> chains) {
+			this(frame, chains, Neighbourhood.of(frame, chains, NEIGHBOURHOOD));
+		}
+
+		/** @return the first curve */
+		Chain chain() {
+			return chains.get(0);
 		}
 	}
 
@@ -111,7 +124,7 @@ public final class LineEstimator {
 		double n = 0, sumM = 0, sumI = 0, sumMM = 0, sumMI = 0, sumII = 0;
 		for (final Example example : examples) {
 			final double[] pixels = example.frame.pixels();
-			final double[] picture = Neighbourhood.draw(example.frame(), model, example.chain());
+			final double[] picture = Neighbourhood.draw(example.frame(), model, example.chains());
 			for (int i = 0; i < picture.length; i++)
 				if (example.near[i]) {
 					n++;

@@ -8,22 +8,35 @@ package io.github.knotresolver.fit;
  */
 final class Robust {
 
-	/** Residual at which the price begins to level off, in strand intensities. */
+	/**
+	 * Residual at which the price of one filament begins to level off, in strand
+	 * intensities.
+	 */
 	static final double SCALE = 0.35;
 
-	private static final double INVERSE_SQUARE = 1 / (SCALE * SCALE);
+	/** For one filament among what is not modelled. */
+	static final Robust ALONE = new Robust(SCALE);
 
-	private Robust() {
+	/**
+	 * For filaments that are all modelled: where strands lie close, a residual of a whole
+	 * strand must still pull.
+	 */
+	static final Robust TOGETHER = new Robust(2 * SCALE);
+
+	private final double inverseSquare;
+
+	private Robust(final double scale) {
+		inverseSquare = 1 / (scale * scale);
 	}
 
-	static double price(final double residual) {
+	double price(final double residual) {
 		final double r2 = residual * residual;
-		return r2 / (1 + r2 * INVERSE_SQUARE);
+		return r2 / (1 + r2 * inverseSquare);
 	}
 
 	/** Weight of the residual in the normal equations: d rho / d r². */
-	static double weight(final double residual) {
-		final double w = 1 / (1 + residual * residual * INVERSE_SQUARE);
+	double weight(final double residual) {
+		final double w = 1 / (1 + residual * residual * inverseSquare);
 		return w * w;
 	}
 }

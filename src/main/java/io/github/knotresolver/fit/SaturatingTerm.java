@@ -25,6 +25,8 @@ final class SaturatingTerm implements ImageTerm {
 	private final double[] brightness;
 	private final Table profile;
 	private final Table slope;
+	private final Robust robust;
+	private final double[] others;
 
 	private final double[] distance2;
 	private final int[] link;
@@ -36,19 +38,23 @@ final class SaturatingTerm implements ImageTerm {
 	private final int[] nodes = new int[2];
 	private final double[] jacobian = new double[4];
 
-	SaturatingTerm(final NormalizedFrame frame, final LineModel model, final int links) {
+	/**
+	 * @param frame the frame
+	 * @param line the line
+	 * @param links number of links
+	 * @param others for every pixel the light of what is drawn already, of which the
+	 *          brighter is seen
+	 */
+	SaturatingTerm(final NormalizedFrame frame, final LineTables line, final int links,
+		final double[] others) {
 		this.frame = frame;
+		this.others = others;
 		strip = new Strip(frame.width(), frame.height());
-		reach = model.reach();
-		brightness = model.brightnessOfLinks(links);
-		final double k = 1 / (2 * model.sigma() * model.sigma());
-		final double p = model.power();
-		// Shifted by a thousandth, so that the price has no step where the band
-		// ends.
-		final double rim = Math.exp(-Math.pow(k * reach * reach, p));
-		profile = new Table(reach * reach, d2 -> Math.exp(-Math.pow(k * d2, p)) - rim);
-		slope = new Table(reach * reach, d2 -> -p * k * Math.pow(Math.max(k * d2, 1e-9), p - 1)
-			* Math.exp(-Math.pow(k * d2, p)));
+		reach = line.reach();
+		brightness = line.model().brightnessOfLinks(links);
+		profile = line.across();
+		slope = line.along();
+		robust = line.robust();
 		final int pixels = frame.pixels().length;
 		distance2 = new double[pixels];
 		Arrays.fill(distance2, reach * reach);
@@ -68,9 +74,10 @@ final class SaturatingTerm implements ImageTerm {
 		for (int b = 0; b < bandSize; b++) {
 			final int at = band[b];
 			final int i = link[at];
-			final double residual = pixels[at] - brightness[i] * profile.at(distance2[at]);
-			sum += Robust.price(residual) - Robust.price(pixels[at]);
-			if (system != null)
+			final double value = brightness[i] * profile.at(distance2[at]);
+			final double residual = pixels[at] - Math.max(others[at], value);
+			sum += robust.price(residual) - robust.price(pixels[at] - others[at]);
+			if (system != null && value > others[at])
 				addPixel(at, i, x, y, residual, system);
 			distance2[at] = reach * reach;
 		}
@@ -91,7 +98,7 @@ final class SaturatingTerm implements ImageTerm {
 			slopeOfEnd(dx, dy, t == 0, x[i + 1] - x[i], y[i + 1] - y[i], k);
 		else
 			slopeOfLink(dx, dy, t, k);
-		system.add(nodes, jacobian, 2, Robust.weight(residual), residual);
+		system.add(nodes, jacobian, 2, robust.weight(residual), residual);
 	}
 
 	/** Slopes by the nodes of the link on which the nearest point lies. */

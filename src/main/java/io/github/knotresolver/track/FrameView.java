@@ -41,6 +41,15 @@ public record FrameView(int frame, NormalizedFrame light, Img<BitType> mask, Ske
 	}
 
 	/**
+	 * @param background the value that becomes 0
+	 * @param amplitude the brightness above it that becomes 1
+	 * @return the same frame with its light in other units
+	 */
+	FrameView rescaled(final double background, final double amplitude) {
+		return new FrameView(frame, light.rescaled(background, amplitude), mask, graph);
+	}
+
+	/**
 	 * @param sigma of a Gaussian in pixels, above 0
 	 * @return the same frame with blurred light
 	 */

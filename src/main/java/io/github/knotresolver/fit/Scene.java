@@ -1,0 +1,201 @@
+
+package io.github.knotresolver.fit;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * All filaments of a frame, drawn together: the sum of their light where it adds up, the
+ * brightest where it saturates. One chain can be taken out of the picture and put back; the
+ * picture is then exactly what it was, bit by bit. Not for several threads at a time.
+ */
+public final class Scene {
+
+	/** Values are multiples of this: their sums are exact, whatever the order. */
+	private static final double GRAIN = 0x1p-30;
+
+	/** Where less is drawn (in strands) there is no chain. */
+	private static final double DRAWN = 0.1;
+
+	private final NormalizedFrame light;
+	private final LineTables line;
+	private final double[] picture;
+	private final List<Drawn> members = new ArrayList<>();
+
+	/** A chain and its own picture; not drawn now if that is null. */
+	private record Drawn(Chain chain, Patch patch, double[] values) {
+	}
+
+	/**
+	 * @param light the frame, 0 the background and 1 a strand
+	 * @param line what a line looks like
+	 */
+	public Scene(final NormalizedFrame light, final LineTables line) {
+		this.light = light;
+		this.line = line;
+		picture = new double[light.pixels().length];
+	}
+
+	/**
+	 * @param light the frame, 0 the background and 1 a strand
+	 * @param line what a line looks like
+	 * @param chains the filaments
+	 */
+	public Scene(final NormalizedFrame light, final LineTables line, final List<Chain> chains) {
+		this(light, line);
+		chains.forEach(this::add);
+	}
+
+	/** @return the frame */
+	public NormalizedFrame light() {
+		return light;
+	}
+
+	/** @return what a line looks like */
+	public LineTables line() {
+		return line;
+	}
+
+	/** @return how many chains there are */
+	public int size() {
+		return members.size();
+	}
+
+	/**
+	 * @param k 0 to {@code size() - 1}
+	 * @return a chain, whether it is drawn now or not
+	 */
+	public Chain chain(final int k) {
+		return members.get(k).chain;
+	}
+
+	/** @return all chains, in order */
+	public List<Chain> chains() {
+		return members.stream().map(Drawn::chain).toList();
+	}
+
+	/**
+	 * Draws one more chain. O(length).
+	 *
+	 * @param chain the chain
+	 */
+	public void add(final Chain chain) {
+		members.add(null);
+		put(members.size() - 1, chain);
+	}
+
+	/**
+	 * Takes a chain out of the picture; it keeps its number. O(length), and where light
+	 * saturates O(length) of the chains around, too.
+	 *
+	 * @param k the chain's number
+	 */
+	public void take(final int k) {
+		final Drawn drawn = members.get(k);
+		if (drawn.values == null)
+			return;
+		members.set(k, new Drawn(drawn.chain, drawn.patch, null));
+		final boolean additive = isAdditive();
+		for (int row = 0, i = 0; row < drawn.patch.height(); row++) {
+			int at = (drawn.patch.top() + row) * light.width() + drawn.patch.left();
+			for (int c = 0; c < drawn.patch.width(); c++, i++, at++)
+				picture[at] = additive ? picture[at] - drawn.values[i] : 0;
+		}
+		if (!additive)
+			for (final Drawn other : members)
+				if (other != null && other.values != null && other.patch.meets(drawn.patch))
+					draw(other);
+	}
+
+	/**
+	 * Puts a chain in the place of one that was taken.
+	 *
+	 * @param k the chain's number
+	 * @param chain its new shape
+	 */
+	public void put(final int k, final Chain chain) {
+		if (members.get(k) != null)
+			take(k);
+		final Patch patch = Patch.around(List.of(chain), line.reach() + 1, light);
+		final double[] values = new double[patch.width() * patch.height()];
+		final Chain here = chain.shifted(-patch.left(), -patch.top());
+		final double[] x = new double[chain.links() + 1], y = new double[chain.links() + 1];
+		here.nodes(x, y);
+		final NormalizedFrame dark = new NormalizedFrame(patch.width(), patch.height(), values);
+		ImageTerm.of(dark, line, chain.links(), values).draw(x, y, chain.links(), values);
+		for (int i = 0; i < values.length; i++)
+			values[i] = Math.rint(values[i] / GRAIN) * GRAIN;
+		members.set(k, new Drawn(chain, patch, values));
+		draw(members.get(k));
+	}
+
+	private void draw(final Drawn drawn) {
+		final boolean additive = isAdditive();
+		for (int row = 0, i = 0; row < drawn.patch.height(); row++) {
+			int at = (drawn.patch.top() + row) * light.width() + drawn.patch.left();
+			for (int c = 0; c < drawn.patch.width(); c++, i++, at++)
+				picture[at] = additive
+					? picture[at] + drawn.values[i]
+					: Math.max(picture[at], drawn.values[i]);
+		}
+	}
+
+	private boolean isAdditive() {
+		return line.model().kind() == LineModel.Kind.ADDITIVE;
+	}
+
+	/**
+	 * @param k a chain's number
+	 * @param other another's
+	 * @return whether they are so near that one's light may fall on the other
+	 */
+	public boolean mayTouch(final int k, final int other) {
+		return members.get(k).patch.meets(members.get(other).patch);
+	}
+
+	/**
+	 * What is seen around some chains, less what is drawn now: there they can be fitted.
+	 *
+	 * @param starts chains that are going to be looked at, at least one, all with as many
+	 *          links
+	 * @return the surroundings
+	 */
+	public SceneWindow window(final List<Chain> starts) {
+		return new SceneWindow(this, Patch.around(starts, line.reach() + SceneWindow.ROOM, light),
+			starts.get(0).links());
+	}
+
+	/**
+	 * @param x column in pixels
+	 * @param y row in pixels
+	 * @return the drawn light there, 0 outside of the picture
+	 */
+	public double drawnAt(final int x, final int y) {
+		return x < 0 || y < 0 || x >= light.width() || y >= light.height()
+			? 0
+			: picture[y * light.width() + x];
+	}
+
+	/**
+	 * @param others pixels to set, too
+	 * @return for every pixel whether it is one of those, or a chain is drawn there
+	 */
+	public boolean[] near(final boolean[] others) {
+		final boolean[] near = others.clone();
+		for (int i = 0; i < near.length; i++)
+			near[i] |= picture[i] > DRAWN;
+		return near;
+	}
+
+	/** @return what the chains leave of the frame: light less picture */
+	public NormalizedFrame residual() {
+		final double[] left = light.pixels().clone();
+		for (int i = 0; i < left.length; i++)
+			left[i] -= picture[i];
+		return new NormalizedFrame(light.width(), light.height(), left);
+	}
+
+	double[] picture() {
+		return picture;
+	}
+}

@@ -1,0 +1,65 @@
+
+package io.github.knotresolver.fit;
+
+import java.util.Optional;
+
+/**
+ * A part of a scene in which one chain is fitted while the others are drawn. It holds what
+ * was drawn when it was opened. Not for several threads at a time.
+ */
+public final class SceneWindow {
+
+	/** So far may a chain move while it is fitted (pixels). */
+	static final double ROOM = 12;
+
+	private final Patch patch;
+	private final ImageTerm term;
+	private final int links;
+
+	SceneWindow(final Scene scene, final Patch patch, final int links) {
+		this.patch = patch;
+		this.links = links;
+		final int stride = scene.light().width();
+		final double[] pixels = patch.cut(scene.light().pixels(), stride);
+		final double[] others = patch.cut(scene.picture(), stride);
+		if (scene.line().model().kind() == LineModel.Kind.ADDITIVE)
+			for (int i = 0; i < pixels.length; i++)
+				pixels[i] -= others[i];
+		term = ImageTerm.of(new NormalizedFrame(patch.width(), patch.height(), pixels),
+			scene.line(), links, others);
+	}
+
+	/**
+	 * The best chain near a start.
+	 *
+	 * @param start where to begin
+	 * @param predicted the shape it is expected to have, if there is one
+	 * @param settings weights
+	 * @return the fit; its energy is what the chain explains (negative) and its bending
+	 */
+	public Fit fit(final Chain start, final Optional<Chain> predicted, final FitSettings settings) {
+		return there(
+			new FilamentFitter(term, links, Optional.empty(), settings).fit(here(start), predicted));
+	}
+
+	/**
+	 * A chain as it is.
+	 *
+	 * @param chain the chain
+	 * @param settings weights
+	 * @return its prices
+	 */
+	public Fit price(final Chain chain, final FitSettings settings) {
+		return there(
+			new FilamentFitter(term, links, Optional.empty(), settings).price(here(chain)));
+	}
+
+	private Chain here(final Chain chain) {
+		return chain.shifted(-patch.left(), -patch.top());
+	}
+
+	private Fit there(final Fit fit) {
+		return new Fit(fit.chain().shifted(patch.left(), patch.top()), fit.light(), fit.energy(),
+			fit.iterations());
+	}
+}

@@ -1,0 +1,66 @@
+
+package io.github.knotresolver.track;
+
+import java.util.List;
+import java.util.Optional;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.Fit;
+import io.github.knotresolver.fit.FitSettings;
+import io.github.knotresolver.fit.Scene;
+
+/**
+ * Fits all chains of a frame of which nothing is known before, ends and lengths free: one at
+ * a time, with the others drawn, until none moves.
+ */
+final class JointFit {
+
+	/** What moves less (pixels) has found its place. */
+	static final double STILL = 0.2;
+
+	/** A link of another length (pixels) is made anew. */
+	private static final double SHORTEST_LINK = 1.5, LONGEST_LINK = 4.5;
+
+	/** A chain does not get shorter than this (pixels). */
+	private static final double SHORTEST = 4;
+
+	private final Scene scene;
+	private final SceneWeights weights;
+
+	JointFit(final Scene scene, final SceneWeights weights) {
+		this.scene = scene;
+		this.weights = weights;
+	}
+
+	/** Lowers the energy of all chains together in a number of sweeps, the first one stiff. */
+	void sweep(final int sweeps) {
+		final double[] moved = new double[scene.size()];
+		for (int s = 0; s < sweeps; s++)
+			for (int k = 0; k < scene.size(); k++)
+				if (s < 2 || isRestless(k, moved))
+					moved[k] = fit(k, s == 0 ? weights.freeAndStiff() : weights.free());
+	}
+
+	private boolean isRestless(final int k, final double[] moved) {
+		for (int other = 0; other < moved.length; other++)
+			if (moved[other] > STILL && (other == k || scene.mayTouch(k, other)))
+				return true;
+		return false;
+	}
+
+	private double fit(final int k, final FitSettings settings) {
+		final Chain before = scene.chain(k);
+		scene.take(k);
+		final Fit fit = scene.window(List.of(before)).fit(before, Optional.empty(), settings);
+		final Chain after = fit.chain();
+		final double moved = before.distance(after);
+		scene.put(k, after.length() < SHORTEST ? before : relinked(after));
+		return moved;
+	}
+
+	private static Chain relinked(final Chain chain) {
+		return chain.linkLength() >= SHORTEST_LINK && chain.linkLength() <= LONGEST_LINK
+			? chain
+			: Chain.inScene(chain.polyline(), chain.length());
+	}
+}

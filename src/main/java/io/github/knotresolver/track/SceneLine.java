@@ -1,0 +1,167 @@
+
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.IntStream;
+
+import io.github.knotresolver.candidate.SceneTrails;
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.LineEstimator;
+import io.github.knotresolver.fit.LineEstimator.Estimate;
+import io.github.knotresolver.fit.LineEstimator.Example;
+import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.fit.LineTables;
+import io.github.knotresolver.fit.NormalizedFrame;
+import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.image.Pixels;
+
+/**
+ * What a line looks like in a movie with several filaments: learned from the frames whose
+ * trails lie open.
+ *
+ * @param tables the line
+ * @param frames all frames, their light in strands
+ */
+record SceneLine(LineTables tables, List<FrameView> frames) {
+
+	/** The mean over 3 x 3 pixels of a line whose ridge is 1, about. */
+	private static final double MEAN_OF_RIDGE = 0.85;
+
+	/** Of the brightness along all trails, this quantile is one strand's. */
+	private static final double QUANTILE = 0.3;
+
+	private static final double FIRST_SIGMA = 1.5;
+	private static final int LOOK_AT = 20, EXAMPLES = 3, ROUNDS = 2, SWEEPS = 2;
+
+	/** Ends of a curve, in points, at which a junction may shine. */
+	private static final int RIM = 2;
+
+	/** Light of an object reaches so far (pixels). */
+	private static final int NEAR = 3;
+
+	/** The median brightness of a curve, in the frame's units. */
+	static double brightness(final NormalizedFrame light, final Polyline curve) {
+		final int rim = curve.size() > 4 * RIM ? RIM : 0;
+		final double[] values = IntStream.range(rim, curve.size() - rim)
+			.mapToDouble(i -> light.meanAround(curve.x(i), curve.y(i)))
+			.filter(Double::isFinite).sorted().toArray();
+		return values.length == 0 ? 0 : values[values.length / 2] / MEAN_OF_RIDGE;
+	}
+
+	/**
+	 * Learns the line.
+	 *
+	 * @param frames the movie, at least one frame with a trail
+	 * @param kinds how strands may add up
+	 */
+	static SceneLine learn(final List<FrameView> frames, final Collection<LineModel.Kind> kinds) {
+		final double strand = firstStrand(frames);
+		final List<FrameView> scaled = frames.stream().map(f -> f.scaled(strand)).toList();
+		final List<FrameView> open = mostOpen(scaled);
+		final List<Learned> learned = kinds.stream().map(k -> learn(open, k)).toList();
+		final Learned best = learned.stream()
+			.min(Comparator.comparingDouble(l -> l.line.residual())).orElseThrow();
+		final Estimate line = best.line;
+		return new SceneLine(LineTables.together(line.model()),
+			scaled.stream().map(f -> f.rescaled(line.background(), line.amplitude())).toList());
+	}
+
+	private static double firstStrand(final List<FrameView> frames) {
+		final int stride = 1 + (frames.size() - 1) / LOOK_AT;
+		final double[] values = IntStream.range(0, frames.size()).filter(t -> t % stride == 0)
+			.mapToObj(frames::get)
+			.flatMapToDouble(f -> f.graph().segments().stream().flatMapToDouble(s -> IntStream
+				.range(0, s.curve().size())
+				.mapToDouble(i -> f.light().meanAround(s.curve().x(i), s.curve().y(i)))))
+			.filter(Double::isFinite).sorted().toArray();
+		return values.length == 0
+			? 1
+			: Math.max(1e-9, values[(int) (QUANTILE * (values.length - 1))] / MEAN_OF_RIDGE);
+	}
+
+	private static List<FrameView> mostOpen(final List<FrameView> frames) {
+		final int stride = 1 + (frames.size() - 1) / LOOK_AT;
+		record Seen(FrameView frame, int doubt, double length) {
+		}
+		final List<Seen> seen = new ArrayList<>();
+		for (int t = 0; t < frames.size(); t += stride) {
+			final SceneTrails.Found found = SceneSeeder.trails(frames.get(t));
+			final double length = found.curves().stream().mapToDouble(Polyline::length).sum();
+			if (length > 0)
+				seen.add(new Seen(frames.get(t), found.loose() + found.crossings(), length));
+		}
+		return seen.stream()
+			.sorted(Comparator.comparingInt(Seen::doubt)
+				.thenComparing(Comparator.comparingDouble(Seen::length).reversed()))
+			.limit(EXAMPLES).map(Seen::frame).toList();
+	}
+
+	private record Learned(Estimate line) {
+	}
+
+	private static Learned learn(final List<FrameView> frames, final LineModel.Kind kind) {
+		Estimate line = new Estimate(LineModel.uniform(kind, FIRST_SIGMA, 1), 1, 0, 1);
+		for (int round = 0; round < ROUNDS; round++) {
+			final List<Example> examples = new ArrayList<>();
+			final LineTables tables = LineTables.together(line.model());
+			for (final FrameView frame : frames) {
+				final Scene scene = new Scene(
+					frame.light().rescaled(line.background(), line.amplitude()), tables,
+					SceneSeeder.starts(frame));
+				new JointFit(scene, SceneWeights.DEFAULT).sweep(SWEEPS);
+				final List<Chain> chains = scene.chains();
+				if (!chains.isEmpty())
+					examples.add(new Example(frame.light(), chains));
+			}
+			if (examples.isEmpty())
+				return new Learned(line);
+			line = LineEstimator.estimate(examples, kind, line.model().sigma());
+		}
+		return new Learned(line);
+	}
+
+	/**
+	 * @param t index of a frame
+	 * @return how long a filament is that shines as much as all objects of the frame
+	 */
+	double lengthOfLight(final int t) {
+		final FrameView frame = frames.get(t);
+		final boolean[] near = near(t);
+		double sum = 0;
+		for (int i = 0; i < near.length; i++)
+			if (near[i])
+				sum += frame.light().pixels()[i];
+		return sum / (tables.model().sigma() * Math.sqrt(2 * Math.PI));
+	}
+
+	/** The pixels of a frame in and around its objects. */
+	boolean[] near(final int t) {
+		return around(Pixels.bits(frames.get(t).mask()), frames.get(t).light().width());
+	}
+
+	/** The pixels within 3 columns and rows of a set pixel. */
+	private static boolean[] around(final boolean[] set, final int width) {
+		final boolean[] near = new boolean[set.length];
+		final int height = set.length / width;
+		for (int i = 0; i < set.length; i++)
+			if (set[i])
+				for (int y = Math.max(0, i / width - NEAR); y <= Math.min(height - 1,
+					i / width + NEAR); y++)
+					for (int x = Math.max(0, i % width - NEAR); x <= Math.min(width - 1,
+						i % width + NEAR); x++)
+						near[y * width + x] = true;
+		return near;
+	}
+
+	/** @return noise of the frames, standard deviation in strands: the median over frames */
+	double noise() {
+		final double[] values = frames.stream().mapToDouble(f -> f.light().noise()).sorted()
+			.toArray();
+		return Arrays.copyOf(values, values.length)[values.length / 2];
+	}
+}

@@ -1,0 +1,132 @@
+
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.List;
+
+import io.github.knotresolver.candidate.SceneTrails;
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.LineTables;
+import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.geometry.Smoothing;
+
+/**
+ * All filaments of one frame, neither their number nor their lengths known: the trails of
+ * the graph, fitted together; what they leave unexplained makes them longer or becomes new
+ * chains; what explains too little goes.
+ */
+final class SceneSeeder {
+
+	/** What a filament must explain, in strands squared, and how long it must be (pixels). */
+	static final double PRICE = 12, SHORTEST = 8;
+
+	/** Smoothing of a trail's corners (pixels). */
+	private static final double SMOOTH = 2;
+
+	/** A skeleton ends so much (pixels) before the light does. */
+	private static final double HIDDEN = 1.5;
+
+	/** A turn by more than this (radians) within twice so many pixels is two ends that touch. */
+	private static final double CORNER = 1.75;
+	private static final int CORNER_REACH = 8;
+
+	private static final int FIRST_SWEEPS = 3, SWEEPS = 2, ROUNDS = 2;
+
+	private final LineTables line;
+	private final SceneWeights weights;
+
+	SceneSeeder(final LineTables line, final SceneWeights weights) {
+		this.line = line;
+		this.weights = weights;
+	}
+
+	/** The chains of a frame whose light is in strands. */
+	List<Chain> chains(final FrameView frame) {
+		final Scene scene = new Scene(frame.light(), line, starts(frame));
+		final JointFit fit = new JointFit(scene, weights);
+		fit.sweep(FIRST_SWEEPS);
+		Scene now = scene;
+		for (int round = 0; round < ROUNDS; round++) {
+			now = new Scene(frame.light(), line, UnexplainedLight.mended(now));
+			new JointFit(now, weights).sweep(SWEEPS);
+			now = new Scene(frame.light(), line, worthTheirPrice(now));
+		}
+		new JointFit(now, weights).sweep(SWEEPS);
+		return now.chains();
+	}
+
+	/** The trails of a frame as chains, not fitted. */
+	static List<Chain> starts(final FrameView frame) {
+		final List<Chain> chains = new ArrayList<>();
+		for (final Polyline trail : trails(frame).curves())
+			for (final Polyline piece : pieces(smooth(trail)))
+				if (piece.length() >= SHORTEST) {
+					final Polyline whole = lengthened(piece);
+					chains.add(Chain.inScene(whole, whole.length()));
+				}
+		return chains;
+	}
+
+	static SceneTrails.Found trails(final FrameView frame) {
+		return SceneTrails.of(frame.graph(), c -> SceneLine.brightness(frame.light(), c));
+	}
+
+	private static Polyline smooth(final Polyline trail) {
+		final Polyline even = trail.resampled(1);
+		return even.size() > 2 ? Smoothing.gaussian(even, SMOOTH).resampled(1) : even;
+	}
+
+	/** Cuts a curve, sampled at a pixel, at its corners. */
+	private static List<Polyline> pieces(final Polyline curve) {
+		int corner = -1;
+		double sharpest = CORNER;
+		for (int i = CORNER_REACH; i < curve.size() - CORNER_REACH; i++) {
+			final double turn = turn(curve, i);
+			if (turn > sharpest) {
+				sharpest = turn;
+				corner = i;
+			}
+		}
+		if (corner < 0 || curve.size() < 3 * CORNER_REACH)
+			return List.of(curve);
+		final List<Polyline> all = new ArrayList<>(pieces(part(curve, 0, corner)));
+		all.addAll(pieces(part(curve, corner, curve.size() - 1)));
+		return all;
+	}
+
+	private static double turn(final Polyline c, final int i) {
+		final int a = i - CORNER_REACH, b = i + CORNER_REACH;
+		final double ux = c.x(i) - c.x(a), uy = c.y(i) - c.y(a);
+		final double vx = c.x(b) - c.x(i), vy = c.y(b) - c.y(i);
+		return Math.abs(Math.atan2(ux * vy - uy * vx, ux * vx + uy * vy));
+	}
+
+	private static Polyline part(final Polyline curve, final int from, final int to) {
+		final List<Point> points = new ArrayList<>();
+		for (int i = from; i <= to; i++)
+			points.add(curve.point(i));
+		return Polyline.of(points);
+	}
+
+	private static Polyline lengthened(final Polyline curve) {
+		return UnexplainedLight
+			.extended(UnexplainedLight.extended(curve, HIDDEN).reversed(), HIDDEN).reversed();
+	}
+
+	private List<Chain> worthTheirPrice(final Scene scene) {
+		final List<Chain> kept = new ArrayList<>();
+		for (int k = 0; k < scene.size(); k++) {
+			final Chain chain = scene.chain(k);
+			scene.take(k);
+			final double explained = -scene.window(List.of(chain)).price(chain, weights.free())
+				.light();
+			if (explained > PRICE && chain.length() > SHORTEST) {
+				scene.put(k, chain);
+				kept.add(chain);
+			}
+		}
+		return kept;
+	}
+}

@@ -1,0 +1,99 @@
+
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.progress.Progress;
+
+/**
+ * Several passes become one movie: for each filament the cheapest path through what the
+ * passes say of it. A vertex costs the light that its pass does not explain around any of the
+ * filament's hypotheses, an edge the motion, and something more where the pass changes.
+ */
+final class SceneSettler {
+
+	/** Price of motion against unexplained light. */
+	private static final double MOTION = 3;
+
+	/** Price of going from one pass to another. */
+	private static final double CHANGE = 2;
+
+	private static final double BENDING = 0.3, LEAST_MOTION = 0.5;
+
+	private final SceneLine line;
+	private final SceneWeights weights;
+	private final List<ScenePass> passes;
+	private final List<Hypotheses> filaments;
+	private final double noise;
+
+	/** A filament's chain in every frame, and how much dearer another one would be. */
+	record Settled(List<Chain> chains, double[] gap) {
+	}
+
+	SceneSettler(final SceneLine line, final SceneWeights weights, final List<ScenePass> passes) {
+		this.line = line;
+		this.weights = weights;
+		this.passes = passes;
+		noise = line.noise();
+		filaments = Hypotheses.match(passes);
+	}
+
+	List<Settled> settle(final Progress progress) {
+		final int n = line.frames().size();
+		final List<List<double[]>> prices = new ArrayList<>();
+		filaments.forEach(f -> prices.add(new ArrayList<>()));
+		for (int t = 0; t < n; t++) {
+			progress.checkCancelled();
+			final List<Unexplained> left = new ArrayList<>();
+			for (final ScenePass pass : passes)
+				left.add(new Unexplained(new Scene(line.frames().get(t).light(), line.tables(),
+					pass.chains().get(t)), noise));
+			for (int k = 0; k < filaments.size(); k++)
+				prices.get(k).add(prices(filaments.get(k), t, left));
+		}
+		final List<Settled> settled = new ArrayList<>();
+		for (int k = 0; k < filaments.size(); k++)
+			settled.add(path(filaments.get(k), prices.get(k), progress));
+		return settled;
+	}
+
+	private double[] prices(final Hypotheses filament, final int t, final List<Unexplained> left) {
+		final List<Chain> here = filament.at(t);
+		final double[] prices = new double[here.size()];
+		for (int p = 0; p < prices.length; p++)
+			prices[p] = left.get(filament.pass(p)).around(here)
+				+ BENDING * weights.stiffness() * here.get(p).bending();
+		return prices;
+	}
+
+	private static Settled path(final Hypotheses filament, final List<double[]> prices,
+		final Progress progress) {
+		final double usual = usualMotion(filament);
+		final TrellisPath path = Trellis.solve(prices, (t, i, u, j) -> {
+			final double motion = filament.at(t).get(i).distance(filament.at(u).get(j)) / usual;
+			return MOTION * (0.2 * motion + 0.7 * Math.max(0, motion - 1)) + (i == j ? 0 : CHANGE);
+		}, progress);
+		final List<Chain> chains = new ArrayList<>();
+		final double[] gap = new double[prices.size()];
+		for (int t = 0; t < gap.length; t++) {
+			final List<Chain> here = filament.at(t);
+			final Chain chosen = here.get(path.choice()[t]);
+			chains.add(chosen);
+			gap[t] = path.gap(t, v -> here.get(v).distance(chosen) > Hypotheses.SAME);
+		}
+		return new Settled(chains, gap);
+	}
+
+	private static double usualMotion(final Hypotheses filament) {
+		final List<Chain> first = filament.passes().get(0);
+		final double[] motion = new double[Math.max(0, first.size() - 1)];
+		for (int t = 0; t < motion.length; t++)
+			motion[t] = first.get(t).distance(first.get(t + 1));
+		Arrays.sort(motion);
+		return Math.max(LEAST_MOTION, motion.length == 0 ? 0 : motion[motion.length / 2]);
+	}
+}

@@ -1,0 +1,118 @@
+
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.Fit;
+import io.github.knotresolver.fit.LineTables;
+import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.fit.SceneWindow;
+
+/**
+ * Carries all filaments of a movie from frame to frame, in one direction of time. In each
+ * frame every filament starts from the cheapest of a few predictions (where it was, where it
+ * was heading, slid along its own track), with all others drawn; then all are fitted in turn
+ * until none moves, first nearly as predicted, then loosely. The length stays.
+ */
+final class SceneTracker {
+
+	private static final int SWEEPS = 4;
+
+	/** A glider may be faster or slower by so much (pixels), or so much if it was not seen before. */
+	private static final double[] CHANGES = {0, -2, 2}, UNKNOWN = {-4, -2, 2, 4};
+
+	private final LineTables line;
+	private final SceneWeights weights;
+	private List<Chain> now;
+	private List<Chain> before = List.of();
+
+	SceneTracker(final LineTables line, final SceneWeights weights, final List<Chain> start) {
+		this.line = line;
+		this.weights = weights;
+		now = start;
+	}
+
+	/** Goes on to the next frame and gives the filaments there, in the order of the start. */
+	List<Chain> step(final FrameView frame) {
+		final List<List<Chain>> predictions = new ArrayList<>();
+		final List<Chain> first = new ArrayList<>();
+		for (int k = 0; k < now.size(); k++) {
+			final List<Chain> p = predictions(k);
+			predictions.add(p);
+			first.add(p.get(Math.min(2, p.size() - 1)));
+		}
+		final Scene scene = new Scene(frame.light(), line, first);
+		choose(scene, predictions);
+		fit(scene, scene.chains());
+		before = now;
+		now = scene.chains();
+		return now;
+	}
+
+	private List<Chain> predictions(final int k) {
+		final Chain here = now.get(k);
+		final List<Chain> all = new ArrayList<>(List.of(here));
+		if (before.isEmpty()) {
+			for (final double by : UNKNOWN)
+				all.add(here.slid(by));
+		} else {
+			all.add(here.continued(before.get(k)));
+			final double speed = before.get(k).slide(here);
+			for (final double by : CHANGES)
+				all.add(here.slid(speed + by));
+		}
+		return all;
+	}
+
+	/** The cheapest prediction of each, with the others drawn: twice, where others are near. */
+	private void choose(final Scene scene, final List<List<Chain>> predictions) {
+		for (int round = 0; round < 2; round++)
+			for (int k = 0; k < scene.size(); k++)
+				if (round == 0 || hasNeighbour(scene, k)) {
+					scene.take(k);
+					final SceneWindow window = scene.window(predictions.get(k));
+					Chain best = null;
+					double lowest = Double.POSITIVE_INFINITY;
+					for (final Chain p : predictions.get(k)) {
+						final double energy = window.price(p, weights.tracked()).energy();
+						if (energy < lowest) {
+							lowest = energy;
+							best = p;
+						}
+					}
+					scene.put(k, best == null ? predictions.get(k).get(0) : best);
+				}
+	}
+
+	private static boolean hasNeighbour(final Scene scene, final int k) {
+		for (int other = 0; other < scene.size(); other++)
+			if (other != k && scene.mayTouch(k, other))
+				return true;
+		return false;
+	}
+
+	private void fit(final Scene scene, final List<Chain> expected) {
+		final double[] moved = new double[scene.size()];
+		for (int s = 0; s < SWEEPS; s++)
+			for (int k = 0; k < scene.size(); k++)
+				if (s < 2 || isRestless(scene, k, moved)) {
+					final Chain start = scene.chain(k);
+					scene.take(k);
+					final Fit fit = scene.window(List.of(start)).fit(start,
+						Optional.of(expected.get(k)),
+						s == 0 ? weights.predicted() : weights.tracked());
+					scene.put(k, fit.chain());
+					moved[k] = start.distance(fit.chain());
+				}
+	}
+
+	private static boolean isRestless(final Scene scene, final int k, final double[] moved) {
+		for (int other = 0; other < moved.length; other++)
+			if (moved[other] > JointFit.STILL && (other == k || scene.mayTouch(k, other)))
+				return true;
+		return false;
+	}
+}

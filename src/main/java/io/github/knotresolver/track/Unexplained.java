@@ -1,0 +1,100 @@
+
+package io.github.knotresolver.track;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.NormalizedFrame;
+import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.geometry.Polyline;
+
+/**
+ * What the chains of a scene do not explain, pixel by pixel: light that is missing and light
+ * that is too much, above the noise, in strands squared. Each pixel counts at most
+ * 0.25, so that one bright spot does not decide.
+ */
+final class Unexplained {
+
+	private static final double BLUR = 0.8;
+
+	/** Squared residual at which a pixel's price begins to level off. */
+	private static final double LEVEL = 0.25;
+
+	/** Below this nothing counts, and below so many standard deviations of the noise. */
+	private static final double LEAST = 0.02, DEVIATIONS = 3;
+
+	/** What a Gaussian of {@link #BLUR} leaves of the noise. */
+	private static final double CALMED = 0.35;
+
+	/** Pixels within this distance of a curve are around it. */
+	private static final int NEAR = 4;
+
+	private final int width;
+	private final int height;
+	private final double[] map;
+	private final int[] stamp;
+	private int stamps;
+
+	/**
+	 * @param scene a frame with its chains
+	 * @param noise of a pixel in strands
+	 */
+	Unexplained(final Scene scene, final double noise) {
+		final NormalizedFrame left = scene.residual().blurred(BLUR);
+		width = left.width();
+		height = left.height();
+		map = left.pixels();
+		stamp = new int[map.length];
+		final double floor = Math.max(LEAST, Math.pow(DEVIATIONS * CALMED * noise, 2));
+		for (int i = 0; i < map.length; i++) {
+			final double square = map[i] * map[i];
+			map[i] = Math.max(0, square / (1 + square / LEVEL) - floor);
+		}
+	}
+
+	/** The sum within the set pixels. */
+	double within(final boolean[] set) {
+		double sum = 0;
+		for (int i = 0; i < map.length; i++)
+			if (set[i])
+				sum += map[i];
+		return sum;
+	}
+
+	/** The sum around some curves, each pixel once. */
+	double around(final Iterable<Chain> chains) {
+		stamps++;
+		double sum = 0;
+		for (final Chain chain : chains) {
+			final Polyline curve = chain.polyline();
+			for (int i = 0; i < curve.size(); i++)
+				sum += aroundNode(curve.x(i), curve.y(i));
+		}
+		return sum;
+	}
+
+	/** The largest sum around any node of a chain. */
+	double worst(final Chain chain) {
+		final Polyline curve = chain.polyline();
+		double worst = 0;
+		for (int i = 0; i < curve.size(); i++) {
+			stamps++;
+			worst = Math.max(worst, aroundNode(curve.x(i), curve.y(i)));
+		}
+		return worst;
+	}
+
+	private double aroundNode(final double x, final double y) {
+		double sum = 0;
+		for (int row = Math.max(0, (int) Math.ceil(y - NEAR)); row <= Math.min(height - 1,
+			(int) Math.floor(y + NEAR)); row++)
+			for (int c = Math.max(0, (int) Math.ceil(x - NEAR)); c <= Math.min(width - 1,
+				(int) Math.floor(x + NEAR)); c++) {
+				final int at = row * width + c;
+				if (stamp[at] != stamps
+					&& (c - x) * (c - x) + (row - y) * (row - y) <= NEAR * NEAR) {
+					stamp[at] = stamps;
+					sum += map[at];
+				}
+			}
+		return sum;
+	}
+}
