@@ -330,6 +330,22 @@ public final class Chain {
 	}
 
 	/**
+	 * @param other a chain with as many links
+	 * @return the mean squared difference of the directions at equal arc length, in radians
+	 *         squared, but for full turns of the whole
+	 */
+	public double squaredTurn(final Chain other) {
+		final int middle = theta.length / 2;
+		final double full = nearest(other.theta[middle], theta[middle]) - other.theta[middle];
+		double sum = 0;
+		for (int i = 0; i < theta.length; i++) {
+			final double d = theta[i] - other.theta[i] - full;
+			sum += d * d;
+		}
+		return sum / theta.length;
+	}
+
+	/**
 	 * The chain moved by a step of the solver: x0, y0, angles and link length.
 	 */
 	Chain moved(final double[] step, final double scale, final double linkStep) {

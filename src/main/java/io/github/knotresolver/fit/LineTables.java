@@ -17,6 +17,7 @@ public final class LineTables {
 	private final double reach;
 	private final Table across;
 	private final Table along;
+	private final LineTables additive;
 
 	/**
 	 * @param model the line
@@ -26,6 +27,9 @@ public final class LineTables {
 		this.model = model;
 		this.robust = robust;
 		final double sigma2 = model.sigma() * model.sigma();
+		additive = model.kind() == LineModel.Kind.ADDITIVE
+			? this
+			: new LineTables(LineModel.uniform(LineModel.Kind.ADDITIVE, model.sigma(), 1), robust);
 		if (model.kind() == LineModel.Kind.ADDITIVE) {
 			reach = model.sigma() * (robust == Robust.TOGETHER ? SCENE_REACH : ADDITIVE_REACH);
 			across = new Table(reach * reach, d2 -> Math.exp(-d2 / (2 * sigma2)));
@@ -53,6 +57,11 @@ public final class LineTables {
 	/** @return the line */
 	public LineModel model() {
 		return model;
+	}
+
+	/** A line as wide whose light adds up. */
+	LineTables additive() {
+		return additive;
 	}
 
 	Robust robust() {

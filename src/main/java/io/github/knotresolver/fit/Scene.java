@@ -166,14 +166,21 @@ public final class Scene {
 	}
 
 	/**
+	 * How much light is missing or too much somewhere: the mean of 3 x 3 pixels.
+	 *
 	 * @param x column in pixels
 	 * @param y row in pixels
-	 * @return the drawn light there, 0 outside of the picture
+	 * @return light less picture; 0 outside of the frame
 	 */
-	public double drawnAt(final int x, final int y) {
-		return x < 0 || y < 0 || x >= light.width() || y >= light.height()
-			? 0
-			: picture[y * light.width() + x];
+	public double mismatch(final int x, final int y) {
+		double sum = 0;
+		int count = 0;
+		for (int row = Math.max(0, y - 1); row <= Math.min(light.height() - 1, y + 1); row++)
+			for (int c = Math.max(0, x - 1); c <= Math.min(light.width() - 1, x + 1); c++) {
+				sum += light.pixels()[row * light.width() + c] - picture[row * light.width() + c];
+				count++;
+			}
+		return count == 0 ? 0 : sum / count;
 	}
 
 	/**

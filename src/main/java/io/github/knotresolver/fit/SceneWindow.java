@@ -1,6 +1,7 @@
 
 package io.github.knotresolver.fit;
 
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -14,6 +15,8 @@ public final class SceneWindow {
 
 	private final Patch patch;
 	private final ImageTerm term;
+	private final NormalizedFrame left;
+	private final LineTables line;
 	private final int links;
 
 	SceneWindow(final Scene scene, final Patch patch, final int links) {
@@ -22,11 +25,28 @@ public final class SceneWindow {
 		final int stride = scene.light().width();
 		final double[] pixels = patch.cut(scene.light().pixels(), stride);
 		final double[] others = patch.cut(scene.picture(), stride);
-		if (scene.line().model().kind() == LineModel.Kind.ADDITIVE)
-			for (int i = 0; i < pixels.length; i++)
-				pixels[i] -= others[i];
-		term = ImageTerm.of(new NormalizedFrame(patch.width(), patch.height(), pixels),
-			scene.line(), links, others);
+		line = scene.line();
+		final double[] rest = pixels.clone();
+		for (int i = 0; i < rest.length; i++)
+			rest[i] -= others[i];
+		left = new NormalizedFrame(patch.width(), patch.height(), rest);
+		term = ImageTerm.of(line.additive() == line
+			? left
+			: new NormalizedFrame(patch.width(), patch.height(), pixels), line, links, others);
+	}
+
+	/**
+	 * The same chain with its last links grown anew along the light that others leave.
+	 *
+	 * @param chain the chain
+	 * @param tip how many links, fewer than it has
+	 * @param settings weights
+	 * @return a few chains, the most promising first
+	 */
+	public List<Chain> regrown(final Chain chain, final int tip, final FitSettings settings) {
+		return new TipBeam(left, line, settings.stiffness(), chain.linkLength())
+			.grown(here(chain), tip).stream().map(c -> c.shifted(patch.left(), patch.top()))
+			.toList();
 	}
 
 	/**

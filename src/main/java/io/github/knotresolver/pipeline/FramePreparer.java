@@ -112,7 +112,7 @@ final class FramePreparer {
 	}
 
 	/** The frame above its background; pixels without a value are taken for background. */
-	private NormalizedFrame light(final int frame) {
+	NormalizedFrame light(final int frame) {
 		final double[] pixels = Pixels.doubles(movie.frame(frame - 1));
 		final double[] sorted = Arrays.stream(pixels).filter(Double::isFinite).sorted().toArray();
 		final double background = sorted.length == 0 ? 0 : sorted[sorted.length / 2];

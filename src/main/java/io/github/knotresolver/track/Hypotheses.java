@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 
+import org.apache.commons.math3.stat.descriptive.moment.StandardDeviation;
+
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.geometry.Polyline;
 
@@ -85,6 +87,14 @@ record Hypotheses(List<List<Chain>> passes, List<Integer> numbers) {
 					reversed++;
 			}
 		return new Pair(i, j, Math.max(same, reversed), reversed > same);
+	}
+
+	/** Standard error of the length from the lengths of the passes, in pixels; NaN for one. */
+	double lengthError() {
+		final double[] lengths = passes.stream().mapToDouble(p -> p.get(0).length()).toArray();
+		return lengths.length < 2
+			? Double.NaN
+			: new StandardDeviation().evaluate(lengths) / Math.sqrt(lengths.length);
 	}
 
 	/** The number of the pass that a hypothesis is from. */

@@ -2,7 +2,6 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
@@ -26,8 +25,9 @@ import io.github.knotresolver.image.Pixels;
  *
  * @param tables the line
  * @param frames all frames, their light in strands
+ * @param noise of a pixel in strands, the median over frames
  */
-record SceneLine(LineTables tables, List<FrameView> frames) {
+record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 
 	/** The mean over 3 x 3 pixels of a line whose ridge is 1, about. */
 	private static final double MEAN_OF_RIDGE = 0.85;
@@ -67,8 +67,10 @@ record SceneLine(LineTables tables, List<FrameView> frames) {
 		final Learned best = learned.stream()
 			.min(Comparator.comparingDouble(l -> l.line.residual())).orElseThrow();
 		final Estimate line = best.line;
-		return new SceneLine(LineTables.together(line.model()),
-			scaled.stream().map(f -> f.rescaled(line.background(), line.amplitude())).toList());
+		final List<FrameView> known = scaled.stream()
+			.map(f -> f.rescaled(line.background(), line.amplitude())).toList();
+		final double[] noise = known.stream().mapToDouble(f -> f.light().noise()).sorted().toArray();
+		return new SceneLine(LineTables.together(line.model()), known, noise[noise.length / 2]);
 	}
 
 	private static double firstStrand(final List<FrameView> frames) {
@@ -156,12 +158,5 @@ record SceneLine(LineTables tables, List<FrameView> frames) {
 						i % width + NEAR); x++)
 						near[y * width + x] = true;
 		return near;
-	}
-
-	/** @return noise of the frames, standard deviation in strands: the median over frames */
-	double noise() {
-		final double[] values = frames.stream().mapToDouble(f -> f.light().noise()).sorted()
-			.toArray();
-		return Arrays.copyOf(values, values.length)[values.length / 2];
 	}
 }

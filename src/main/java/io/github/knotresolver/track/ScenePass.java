@@ -27,13 +27,24 @@ record ScenePass(int start, List<List<Chain>> chains) {
 		final List<List<Chain>> all = new ArrayList<>(Collections.nCopies(n, List.of()));
 		all.set(start, seed);
 		for (final int direction : new int[]{1, -1}) {
-			final SceneTracker tracker = new SceneTracker(line.tables(), weights, seed);
+			final SceneTracker tracker = new SceneTracker(line.tables(), weights,
+				line.noise(), seed);
 			for (int t = start + direction; t >= 0 && t < n; t += direction) {
 				progress.checkCancelled();
 				all.set(t, tracker.step(line.frames().get(t)));
 			}
 		}
 		return new ScenePass(start, all);
+	}
+
+	/** The settled filaments as one pass. */
+	static ScenePass of(final List<SceneSettler.Settled> settled) {
+		final List<List<Chain>> chains = new ArrayList<>();
+		for (int t = 0; t < settled.get(0).chains().size(); t++) {
+			final int frame = t;
+			chains.add(settled.stream().map(s -> s.chains().get(frame)).toList());
+		}
+		return new ScenePass(0, chains);
 	}
 
 	/** One filament in all frames. */
@@ -53,7 +64,11 @@ record ScenePass(int start, List<List<Chain>> chains) {
 			final Scene scene = new Scene(frame.light(), line.tables(), chains.get(t));
 			sum += new Unexplained(scene, noise).within(scene.near(line.near(t)));
 		}
-		return sum / chains.size() + PER_FILAMENT * filaments();
+		return sum / chains.size() + priceOfFilaments();
+	}
+
+	double priceOfFilaments() {
+		return PER_FILAMENT * filaments();
 	}
 
 	int filaments() {

@@ -30,8 +30,14 @@ final class SceneSettler {
 	private final List<Hypotheses> filaments;
 	private final double noise;
 
-	/** A filament's chain in every frame, and how much dearer another one would be. */
-	record Settled(List<Chain> chains, double[] gap) {
+	/**
+	 * A filament.
+	 *
+	 * @param chains its chain in every frame
+	 * @param gap how much dearer a visibly different one would be
+	 * @param lengthError standard error of its length in pixels; NaN if not known
+	 */
+	record Settled(List<Chain> chains, double[] gap, double lengthError) {
 	}
 
 	SceneSettler(final SceneLine line, final SceneWeights weights, final List<ScenePass> passes) {
@@ -61,6 +67,20 @@ final class SceneSettler {
 		return settled;
 	}
 
+	/** The first pass alone; where the settled movie differs, that is no sure. */
+	List<Settled> first(final List<Settled> settled) {
+		final List<Settled> all = new ArrayList<>();
+		for (int k = 0; k < settled.size(); k++) {
+			final List<Chain> chains = filaments.get(k).passes().get(0);
+			final double[] gap = settled.get(k).gap().clone();
+			for (int t = 0; t < gap.length; t++)
+				if (chains.get(t).distance(settled.get(k).chains().get(t)) > Hypotheses.SAME)
+					gap[t] = 0.5;
+			all.add(new Settled(chains, gap, settled.get(k).lengthError()));
+		}
+		return all;
+	}
+
 	private double[] prices(final Hypotheses filament, final int t, final List<Unexplained> left) {
 		final List<Chain> here = filament.at(t);
 		final double[] prices = new double[here.size()];
@@ -85,7 +105,7 @@ final class SceneSettler {
 			chains.add(chosen);
 			gap[t] = path.gap(t, v -> here.get(v).distance(chosen) > Hypotheses.SAME);
 		}
-		return new Settled(chains, gap);
+		return new Settled(chains, gap, filament.lengthError());
 	}
 
 	private static double usualMotion(final Hypotheses filament) {

@@ -2,6 +2,7 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -19,18 +20,28 @@ import io.github.knotresolver.fit.SceneWindow;
  */
 final class SceneTracker {
 
-	private static final int SWEEPS = 4;
-
 	/** A glider may be faster or slower by so much (pixels), or so much if it was not seen before. */
 	private static final double[] CHANGES = {0, -2, 2}, UNKNOWN = {-4, -2, 2, 4};
 
+	/** Light that is missing or too much (strands), and as deviations of the noise. */
+	private static final double MISMATCH = 0.3, DEVIATIONS = 2.2;
+
 	private final LineTables line;
 	private final SceneWeights weights;
+	private final double mismatch;
 	private List<Chain> now;
 	private List<Chain> before = List.of();
 
-	SceneTracker(final LineTables line, final SceneWeights weights, final List<Chain> start) {
+	/**
+	 * @param line what a line looks like
+	 * @param weights of the fit
+	 * @param noise of a pixel in strands
+	 * @param start the filaments in the frame from which to go on
+	 */
+	SceneTracker(final LineTables line, final SceneWeights weights, final double noise,
+		final List<Chain> start) {
 		this.line = line;
+		mismatch = Math.max(MISMATCH, DEVIATIONS * noise);
 		this.weights = weights;
 		now = start;
 	}
@@ -46,7 +57,17 @@ final class SceneTracker {
 		}
 		final Scene scene = new Scene(frame.light(), line, first);
 		choose(scene, predictions);
-		fit(scene, scene.chains());
+		final List<Chain> expected = scene.chains();
+		final double[] moved = new double[scene.size()];
+		fit(scene, expected, moved, 0);
+		final TipRepair tips = new TipRepair(scene, weights.tracked(), mismatch);
+		boolean mended = false;
+		for (int k = 0; k < scene.size(); k++)
+			mended |= tips.mend(k);
+		mended |= new TailSwap(scene, weights.tracked(), expected, mismatch).mend();
+		if (mended)
+			Arrays.fill(moved, Double.POSITIVE_INFINITY);
+		fit(scene, mended ? scene.chains() : expected, moved, 2);
 		before = now;
 		now = scene.chains();
 		return now;
@@ -94,9 +115,10 @@ final class SceneTracker {
 		return false;
 	}
 
-	private void fit(final Scene scene, final List<Chain> expected) {
-		final double[] moved = new double[scene.size()];
-		for (int s = 0; s < SWEEPS; s++)
+	/** Two sweeps; from the third on only chains near to what has moved. */
+	private void fit(final Scene scene, final List<Chain> expected, final double[] moved,
+		final int from) {
+		for (int s = from; s < from + 2; s++)
 			for (int k = 0; k < scene.size(); k++)
 				if (s < 2 || isRestless(scene, k, moved)) {
 					final Chain start = scene.chain(k);

@@ -1,0 +1,68 @@
+
+package io.github.knotresolver.track;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.NormalizedFrame;
+import io.github.knotresolver.geometry.Polyline;
+
+/**
+ * How sure a filament's contour in a frame is: near 1 only if no other way through the movie
+ * is nearly as cheap (an exchange of identities would be), all light around it is explained,
+ * light is under all of it, and it moved as it usually does.
+ *
+ * @param gap how much dearer the cheapest movie becomes with another contour here
+ * @param unexplained the most light that is not explained around any of its points
+ * @param dark share of its length with hardly any light
+ * @param haste motion since the frame before and to the one after, the larger one, as a
+ *          multiple of the usual
+ */
+record SceneConfidence(double gap, double unexplained, double dark, double haste) {
+
+	private static final double GAP_SCALE = 2;
+
+	/** Unexplained light (strands squared) that says nothing, and what leaves a third. */
+	private static final double HARMLESS = 0.25, SCALE = 1;
+
+	/** Multiples of usual motion that say nothing, and that leave no confidence. */
+	private static final double USUAL = 3, HOPELESS = 10;
+
+	/** Light below this share of a strand's is hardly any. */
+	private static final double DARK = 0.35;
+
+	double value() {
+		final double explained = Math.exp(-Math.max(0, unexplained - HARMLESS) / SCALE);
+		final double steady = Math.min(1, Math.max(0, (HOPELESS - haste) / (HOPELESS - USUAL)));
+		return (1 - Math.exp(-gap / GAP_SCALE)) * explained * (1 - dark) * steady;
+	}
+
+	/** The share of a chain's length, as far as it is in view, that lies in the dark. */
+	static double dark(final NormalizedFrame light, final Chain chain) {
+		final Polyline curve = chain.polyline();
+		int inside = 0, dark = 0;
+		for (int i = 0; i + 1 < curve.size(); i++) {
+			final double x = 0.5 * (curve.x(i) + curve.x(i + 1));
+			final double y = 0.5 * (curve.y(i) + curve.y(i + 1));
+			if (isInside(light, x, y)) {
+				inside++;
+				if (light.meanAround(x, y) < DARK)
+					dark++;
+			}
+		}
+		return inside == 0 ? 1 : (double) dark / inside;
+	}
+
+	/** The share of a chain's length that lies inside the picture. */
+	static double visible(final NormalizedFrame light, final Chain chain) {
+		final Polyline curve = chain.polyline();
+		int inside = 0;
+		for (int i = 0; i + 1 < curve.size(); i++)
+			if (isInside(light, 0.5 * (curve.x(i) + curve.x(i + 1)),
+				0.5 * (curve.y(i) + curve.y(i + 1))))
+				inside++;
+		return (double) inside / (curve.size() - 1);
+	}
+
+	private static boolean isInside(final NormalizedFrame light, final double x, final double y) {
+		return x > -0.5 && y > -0.5 && x < light.width() - 0.5 && y < light.height() - 0.5;
+	}
+}

@@ -1,0 +1,120 @@
+
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.track.SceneSettler.Settled;
+
+/**
+ * All filaments of a movie with their contours.
+ *
+ * @param model what a line looks like
+ * @param filaments the filaments
+ * @param notes what a user should know, a sentence each
+ */
+public record SceneTracks(LineModel model, List<Filament> filaments, List<String> notes) {
+
+	/** Where more than this share of a contour is in the dark, there is no filament. */
+	private static final double LOST = 0.6;
+
+	/** Where more than this share is in the dark, no contour can be trusted. */
+	private static final double UNRESOLVED = 0.3;
+
+	/** A filament of which less than this share is inside the picture is not in view. */
+	private static final double IN_VIEW = 0.25;
+
+	private static final double LEAST_MOTION = 0.5;
+
+	/**
+	 * A filament.
+	 *
+	 * @param clamped whether one end is held: then contours begin there
+	 * @param length in pixels
+	 * @param lengthError its standard error in pixels; NaN if not known
+	 * @param frames one observation for each frame, in order
+	 */
+	public record Filament(boolean clamped, double length, double lengthError,
+		List<Observation> frames) {
+	}
+
+	static SceneTracks of(final SceneLine line, final List<Settled> settled) {
+		final int n = line.frames().size();
+		final List<List<Chain>> chains = new ArrayList<>();
+		final List<FilamentEnds> ends = new ArrayList<>();
+		for (final Settled s : settled) {
+			final FilamentEnds e = FilamentEnds.of(s.chains());
+			ends.add(e);
+			chains.add(e.reversed() ? s.chains().stream().map(Chain::reversed).toList() : s.chains());
+		}
+		final List<List<Observation>> observed = new ArrayList<>();
+		final double[] usual = new double[settled.size()];
+		for (int k = 0; k < usual.length; k++) {
+			observed.add(new ArrayList<>());
+			usual[k] = usualMotion(chains.get(k));
+		}
+		final double noise = line.noise();
+		for (int t = 0; t < n; t++) {
+			final List<Chain> here = new ArrayList<>();
+			for (final List<Chain> c : chains)
+				here.add(c.get(t));
+			final FrameView frame = line.frames().get(t);
+			final Unexplained left = new Unexplained(
+				new Scene(frame.light(), line.tables(), here), noise);
+			for (int k = 0; k < usual.length; k++) {
+				final double haste = haste(chains.get(k), t) / usual[k];
+				final SceneConfidence confidence = new SceneConfidence(settled.get(k).gap()[t],
+					left.worst(here.get(k)), SceneConfidence.dark(frame.light(), here.get(k)),
+					haste);
+				observed.get(k).add(observation(frame, here.get(k), confidence));
+			}
+		}
+		final List<Filament> filaments = new ArrayList<>();
+		for (int k = 0; k < usual.length; k++)
+			filaments.add(new Filament(ends.get(k).clamped(), chains.get(k).get(0).length(),
+				settled.get(k).lengthError(), List.copyOf(observed.get(k))));
+		return new SceneTracks(line.tables().model(), filaments, List.of());
+	}
+
+	private static double usualMotion(final List<Chain> chains) {
+		final double[] motion = new double[Math.max(0, chains.size() - 1)];
+		for (int t = 0; t < motion.length; t++)
+			motion[t] = chains.get(t).distance(chains.get(t + 1));
+		Arrays.sort(motion);
+		return Math.max(LEAST_MOTION, motion.length == 0 ? 0 : motion[motion.length / 2]);
+	}
+
+	private static double haste(final List<Chain> chains, final int t) {
+		double most = 0;
+		for (int u = Math.max(1, t); u <= Math.min(chains.size() - 1, t + 1); u++)
+			most = Math.max(most, chains.get(u - 1).distance(chains.get(u)));
+		return most;
+	}
+
+	private static Observation observation(final FrameView frame, final Chain chain,
+		final SceneConfidence confidence) {
+		final double visible = SceneConfidence.visible(frame.light(), chain);
+		if (visible < IN_VIEW)
+			return Observation.without(frame.frame(), FrameStatus.ABSENT,
+				"The filament is not in view.").withVisible(visible);
+		if (confidence.dark() > LOST)
+			return Observation.without(frame.frame(), FrameStatus.LOST,
+				"No light was found where the filament must be.");
+		final double value = confidence.value();
+		if (confidence.dark() > UNRESOLVED || value <= 0)
+			return Observation.without(frame.frame(), FrameStatus.UNRESOLVED,
+				"The best contour runs in the dark for " + Math.round(100 * confidence.dark())
+					+ " % of its length, or moved too far to be the same.");
+		final Polyline contour = chain.contour();
+		return new Observation(frame.frame(), FrameStatus.RESOLVED, "", Optional.of(contour),
+			frame.graph().junctions(), 1, confidence.unexplained(), value).withVisible(visible);
+	}
+}

@@ -1,0 +1,224 @@
+
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.Fit;
+import io.github.knotresolver.fit.FitSettings;
+import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.fit.SceneWindow;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.geometry.Smoothing;
+
+/**
+ * Two filaments that touch may have been given each other's tails: where light is missing,
+ * the exchange is tried at every place where they are near, if both lengths allow it. Kept
+ * if both together become cheaper.
+ */
+final class TailSwap {
+
+	/** Nodes nearer than this (pixels) touch. */
+	private static final double TOUCH = 5;
+
+	/** A part may miss so much (pixels) of a filament's length. */
+	private static final double LENGTH = 10;
+
+	/** A filament's start does not jump farther than this (pixels). */
+	private static final double JUMP = 25;
+
+	private static final double BETTER = 2, SMOOTH = 1.5;
+	private static final int FEWEST_NODES = 5;
+
+	private final Scene scene;
+	private final FitSettings settings;
+	private final List<Chain> expected;
+	private final double mismatch;
+
+	/**
+	 * @param scene a frame with all its chains drawn
+	 * @param settings weights
+	 * @param expected the shapes that the chains are expected to have
+	 * @param mismatch light that is missing or too much, in strands, from which on a chain is
+	 *          looked at
+	 */
+	TailSwap(final Scene scene, final FitSettings settings, final List<Chain> expected,
+		final double mismatch) {
+		this.scene = scene;
+		this.settings = settings;
+		this.expected = expected;
+		this.mismatch = mismatch;
+	}
+
+	private record Pair(Chain a, Chain b, double energy) {
+	}
+
+	/** Exchanges tails wherever that is better; false if nothing was. */
+	boolean mend() {
+		boolean mended = false;
+		final boolean[] wrong = new boolean[scene.size()];
+		for (int k = 0; k < wrong.length; k++)
+			wrong[k] = isWrong(scene.chain(k));
+		for (int i = 0; i < wrong.length; i++)
+			for (int j = 0; j < i; j++)
+				if ((wrong[i] || wrong[j]) && scene.mayTouch(i, j))
+					mended |= mend(i, j);
+		return mended;
+	}
+
+	private boolean isWrong(final Chain chain) {
+		final Polyline curve = chain.polyline();
+		for (int i = 0; i < curve.size(); i++)
+			if (Math.abs(scene.mismatch((int) Math.rint(curve.x(i)),
+				(int) Math.rint(curve.y(i)))) > mismatch)
+				return true;
+		return false;
+	}
+
+	private boolean mend(final int i, final int j) {
+		final Chain a = scene.chain(i), b = scene.chain(j);
+		final List<Pair> exchanged = exchanged(a, b);
+		if (exchanged.isEmpty())
+			return false;
+		scene.take(i);
+		scene.take(j);
+		final double before = energy(i, j, a, b);
+		Pair best = null;
+		for (final Pair p : exchanged) {
+			final double energy = energy(i, j, p.a, p.b);
+			if (best == null || energy < best.energy)
+				best = new Pair(p.a, p.b, energy);
+		}
+		final Pair fitted = fitted(i, j, best);
+		final boolean better = fitted.energy < before - BETTER;
+		scene.put(i, better ? fitted.a : a);
+		scene.put(j, better ? fitted.b : b);
+		return better;
+	}
+
+	/** What two chains cost together, leaving what was expected included. */
+	private double energy(final int i, final int j, final Chain a, final Chain b) {
+		final double one = scene.window(List.of(b)).price(b, settings).energy();
+		scene.put(j, b);
+		final double other = scene.window(List.of(a)).price(a, settings).energy();
+		scene.take(j);
+		return one + other + memory(a, expected.get(i)) + memory(b, expected.get(j));
+	}
+
+	private double memory(final Chain chain, final Chain from) {
+		return settings.memory() * chain.length() * chain.squaredTurn(from);
+	}
+
+	private Pair fitted(final int i, final int j, final Pair start) {
+		Chain a = start.a, b = start.b;
+		for (int round = 0; round < 2; round++) {
+			scene.put(j, b);
+			a = fit(a);
+			scene.take(j);
+			scene.put(i, a);
+			b = fit(b);
+			scene.take(i);
+		}
+		return new Pair(a, b, energy(i, j, a, b));
+	}
+
+	private Chain fit(final Chain chain) {
+		final SceneWindow window = scene.window(List.of(chain));
+		final Fit fit = window.fit(chain, Optional.of(chain), settings);
+		return fit.chain();
+	}
+
+	/** All exchanges that both lengths allow. */
+	private List<Pair> exchanged(final Chain a, final Chain b) {
+		final Polyline p = a.polyline(), q = b.polyline();
+		final List<Pair> all = new ArrayList<>();
+		int from = -1;
+		for (int i = 0; i <= p.size(); i++) {
+			final boolean near = i < p.size() && distance(p, i, q, nearest(p, i, q)) < TOUCH;
+			if (near && from < 0)
+				from = i;
+			if (!near && from >= 0) {
+				final int middle = (from + i - 1) / 2;
+				exchange(a, b, middle, nearest(p, middle, q), all);
+				from = -1;
+			}
+		}
+		return all;
+	}
+
+	private static int nearest(final Polyline p, final int i, final Polyline q) {
+		int best = 0;
+		for (int k = 1; k < q.size(); k++)
+			if (distance(p, i, q, k) < distance(p, i, q, best))
+				best = k;
+		return best;
+	}
+
+	private static double distance(final Polyline p, final int i, final Polyline q, final int k) {
+		return Math.hypot(p.x(i) - q.x(k), p.y(i) - q.y(k));
+	}
+
+	private static void exchange(final Chain a, final Chain b, final int i, final int j,
+		final List<Pair> all) {
+		final List<Point> p = points(a), q = points(b);
+		final List<Point> headA = p.subList(0, i), tailA = p.subList(i, p.size());
+		final List<Point> headB = q.subList(0, j), tailB = q.subList(j, q.size());
+		offer(a, b, joined(headA, tailB), joined(headB, tailA), all);
+		offer(a, b, joined(headA, reversed(headB)), joined(reversed(tailA), tailB), all);
+	}
+
+	private static void offer(final Chain a, final Chain b, final List<Point> one,
+		final List<Point> other, final List<Pair> all) {
+		if (one.size() < FEWEST_NODES || other.size() < FEWEST_NODES)
+			return;
+		for (final boolean crossed : new boolean[]{false, true}) {
+			final Optional<Chain> first = as(a, crossed ? other : one);
+			final Optional<Chain> second = as(b, crossed ? one : other);
+			if (first.isPresent() && second.isPresent())
+				all.add(new Pair(first.get(), second.get(), 0));
+		}
+	}
+
+	/** A curve as the chain of a filament, that runs as it did; empty if it cannot be. */
+	private static Optional<Chain> as(final Chain filament, final List<Point> points) {
+		Polyline curve = Polyline.of(points);
+		if (Math.abs(curve.length() - filament.length()) > LENGTH)
+			return Optional.empty();
+		if (curve.first().distanceTo(filament.start()) > curve.last()
+			.distanceTo(filament.start()))
+			curve = curve.reversed();
+		if (curve.first().distanceTo(filament.start()) > JUMP)
+			return Optional.empty();
+		final Polyline even = curve.resampled(1);
+		final Polyline smooth = even.size() > 2 ? Smoothing.gaussian(even, SMOOTH) : even;
+		final double missing = filament.length() - smooth.length();
+		final Polyline whole = missing > 0
+			? UnexplainedLight.extended(smooth, missing)
+			: smooth.head(filament.length());
+		return Optional.of(Chain.along(whole, filament.links(), filament.length()));
+	}
+
+	private static List<Point> points(final Chain chain) {
+		final Polyline curve = chain.polyline();
+		final List<Point> points = new ArrayList<>();
+		for (int i = 0; i < curve.size(); i++)
+			points.add(curve.point(i));
+		return points;
+	}
+
+	private static List<Point> reversed(final List<Point> points) {
+		final List<Point> back = new ArrayList<>(points);
+		Collections.reverse(back);
+		return back;
+	}
+
+	private static List<Point> joined(final List<Point> a, final List<Point> b) {
+		final List<Point> all = new ArrayList<>(a);
+		all.addAll(b);
+		return all;
+	}
+}
