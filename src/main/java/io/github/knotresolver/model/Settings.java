@@ -31,12 +31,16 @@ import io.github.knotresolver.geometry.Polyline;
  * @param ignoreFrames 1-based frames to leave out
  * @param corrections contours the user gave, by 1-based frame, fixed end first,
  *          in pixels
+ * @param filaments how many filaments are delivered; empty for all, or for the one of which
+ *          a fixed end, a region or a contour is told
+ * @param anchor whether filaments are held at one end
  * @param threads number of threads, at least 1
  */
 public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleaning cleaning,
 	Segmentation segmentation, CandidateMethod candidates, ResolverMethod resolver,
 	OptionalDouble length, LengthModel lengthModel, boolean refine, SortedSet<Integer> frames,
-	SortedSet<Integer> ignoreFrames, Map<Integer, Polyline> corrections, int threads) {
+	SortedSet<Integer> ignoreFrames, Map<Integer, Polyline> corrections,
+	Optional<FilamentChoice> filaments, AnchorChoice anchor, int threads) {
 
 	/** No fixed end told, automatic threshold, our candidates and resolver. */
 	public static final Settings DEFAULT = new Builder().build();
@@ -47,6 +51,8 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 		Objects.requireNonNull(candidates);
 		Objects.requireNonNull(resolver);
 		Objects.requireNonNull(lengthModel);
+		Objects.requireNonNull(filaments);
+		Objects.requireNonNull(anchor);
 		if (length.isPresent() && !(length.getAsDouble() > 0))
 			throw new UserException(
 				"length must be above 0, but is " + length.getAsDouble() + ".");
@@ -66,12 +72,22 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 		return candidates == CandidateMethod.PAPER && resolver == ResolverMethod.PAPER;
 	}
 
+	/**
+	 * @return whether every filament of the field is followed: what works on skeletons, or
+	 *         with contours that the user gave, knows one
+	 */
+	public boolean deliversAll() {
+		return filaments.orElse(FilamentChoice.ONE) == FilamentChoice.ALL && refine
+			&& resolver == ResolverMethod.MOVIE && candidates == CandidateMethod.TRAILS
+			&& corrections.isEmpty();
+	}
+
 	/** @return these settings, to be changed one by one; this object stays as it is */
 	public Builder edit() {
 		return new Builder().fixedEnd(fixedEnd).region(region).cleaning(cleaning)
 			.segmentation(segmentation).candidates(candidates).resolver(resolver).length(length)
 			.lengthModel(lengthModel).refine(refine).frames(frames).ignoreFrames(ignoreFrames)
-			.corrections(corrections).threads(threads);
+			.corrections(corrections).filaments(filaments).anchor(anchor).threads(threads);
 	}
 
 	/** Settings in the making, each with its default; what is not allowed is told at the end. */
@@ -89,6 +105,8 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 		private Collection<Integer> frames = new TreeSet<>();
 		private Collection<Integer> ignoreFrames = new TreeSet<>();
 		private Map<Integer, Polyline> corrections = Map.of();
+		private Optional<FilamentChoice> filaments = Optional.empty();
+		private AnchorChoice anchor = AnchorChoice.AUTO;
 		private int threads = Runtime.getRuntime().availableProcessors();
 
 		/**
@@ -98,7 +116,7 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 		public Settings build() {
 			return new Settings(fixedEnd, region, cleaning, segmentation, candidates, resolver,
 				length, lengthModel, refine, new TreeSet<>(frames), new TreeSet<>(ignoreFrames),
-				corrections, threads);
+				corrections, filaments, anchor, threads);
 		}
 
 		/**
@@ -206,6 +224,25 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 		 */
 		public Builder corrections(final Map<Integer, Polyline> value) {
 			corrections = value;
+			return this;
+		}
+
+		/**
+		 * @param value how many filaments are delivered; empty for all, or for the one of
+		 *          which a fixed end, a region or a contour is told
+		 * @return this
+		 */
+		public Builder filaments(final Optional<FilamentChoice> value) {
+			filaments = value;
+			return this;
+		}
+
+		/**
+		 * @param value whether filaments are held at one end
+		 * @return this
+		 */
+		public Builder anchor(final AnchorChoice value) {
+			anchor = value;
 			return this;
 		}
 

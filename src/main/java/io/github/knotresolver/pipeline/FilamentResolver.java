@@ -22,6 +22,9 @@ import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.track.FixedEndFinder;
 import io.github.knotresolver.track.FrameView;
+import io.github.knotresolver.track.SceneResolver;
+import io.github.knotresolver.track.SceneTracks;
+import io.github.knotresolver.track.SingleFilament;
 
 /**
  * The facade: a movie becomes one contour per frame. It walks the rooms in order:
@@ -76,6 +79,11 @@ public final class FilamentResolver {
 		final Progress progress) {
 		final List<FrameView> frames = new FramePreparer(movie, parameters).prepare(wanted, workers,
 			progress);
+		final Optional<SceneTracks> scene = scene(movie, wanted, frames, workers, progress);
+		if (scene.isPresent())
+			return new Tracks(movie, parameters,
+				SceneDelivery.tracks(scene.get(), o -> everyFrame(movie, o)),
+				sceneNotes(scene.get()));
 		progress.report("Looking for the fixed end", 0);
 		parameters.fixedEnd().ifPresent(end -> requireNearObject(end, frames));
 		final Point fixedEnd = parameters.fixedEnd()
@@ -91,6 +99,23 @@ public final class FilamentResolver {
 			List.of(new FilamentTrack(1, Anchor.CLAMPED, Optional.of(found.fixedEnd()),
 				found.length(), found.lengthError(), everyFrame(movie, found.frames()))),
 			found.notes());
+	}
+
+	/** All filaments of the movie; empty if it holds one that is clamped, or one is asked for. */
+	private Optional<SceneTracks> scene(final Movie movie, final List<Integer> wanted,
+		final List<FrameView> frames, final Workers workers, final Progress progress) {
+		if (!parameters.deliversAll() || SingleFilament.isClampedAlone(frames))
+			return Optional.empty();
+		return new SceneResolver(Clipping.of(movie, wanted).kinds(), workers, progress)
+			.resolve(frames, parameters.anchor())
+			.filter(s -> s.filaments().size() > 1 || !s.filaments().get(0).clamped());
+	}
+
+	private static List<String> sceneNotes(final SceneTracks scene) {
+		final List<String> notes = new ArrayList<>();
+		notes.add("Line model: " + scene.model() + ".");
+		notes.addAll(scene.notes());
+		return notes;
 	}
 
 	private static List<Observation> everyFrame(final Movie movie,

@@ -7,6 +7,7 @@ import java.util.List;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.AnchorChoice;
 
 /**
  * Which end of a filament comes first: the clamped one if there is one, otherwise the one
@@ -24,13 +25,17 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid) {
 	/** ... and by less than this (pixels) from frame to frame. */
 	private static final double STILL = 0.7;
 
-	/** A clamped end stays this near (pixels, median) to its place. */
-	private static final double PLACE = 4;
+	/**
+	 * A clamped end stays this near (pixels, median) to its place; if all drifts, nearer than
+	 * this share of what the other end does.
+	 */
+	private static final double PLACE = 4, PLACE_SHARE = 0.5;
 
 	/**
 	 * @param chains a filament in all its frames, in order of time
+	 * @param anchor whether an end is held, if that is told
 	 */
-	static FilamentEnds of(final List<Chain> chains) {
+	static FilamentEnds of(final List<Chain> chains, final AnchorChoice anchor) {
 		final int n = chains.size();
 		final double[] first = new double[Math.max(0, n - 1)], last = new double[first.length];
 		double slid = 0;
@@ -43,8 +48,13 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid) {
 		final double f = median(first), l = median(last);
 		final double less = Math.min(f, l), more = Math.max(f, l);
 		final boolean stillIsLast = l < f;
-		final boolean clamped = less < STILL && less < STILL_SHARE * more
-			&& spread(chains, stillIsLast) < PLACE;
+		final double held = spread(chains, stillIsLast), loose = spread(chains, !stillIsLast);
+		final boolean clamped = switch (anchor) {
+			case AUTO -> less < STILL && less < STILL_SHARE * more
+				&& held < Math.max(PLACE, PLACE_SHARE * loose);
+			case CLAMPED -> true;
+			case FREE -> false;
+		};
 		return new FilamentEnds(clamped, clamped ? stillIsLast : slid < 0, Math.abs(slid));
 	}
 

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 
 import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.model.AnchorChoice;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.track.SceneSettler.Settled;
@@ -46,9 +47,11 @@ public final class SceneResolver {
 	 * Resolves a movie. The cost is linear in frames and filaments, but for those that touch.
 	 *
 	 * @param frames the frames to resolve, in order of time, at least one
+	 * @param anchor whether filaments are held at one end
 	 * @return all filaments; empty if there is none
 	 */
-	public Optional<SceneTracks> resolve(final List<FrameView> frames) {
+	public Optional<SceneTracks> resolve(final List<FrameView> frames,
+		final AnchorChoice anchor) {
 		if (frames.stream().allMatch(f -> f.graph().segments().isEmpty()))
 			return Optional.empty();
 		progress.report("Learning what a filament looks like", 0);
@@ -58,7 +61,7 @@ public final class SceneResolver {
 		final List<Priced> passes = passes(line, weights, seeds);
 		if (passes.isEmpty())
 			return Optional.empty();
-		return Optional.of(SceneTracks.of(line, settled(line, weights, passes)));
+		return Optional.of(SceneTracks.of(line, settled(line, weights, passes), anchor));
 	}
 
 	/** A pass with its price, and what of it is unexplained light. */

@@ -10,6 +10,7 @@ import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.AnchorChoice;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.track.SceneSettler.Settled;
@@ -46,12 +47,13 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 		List<Observation> frames) {
 	}
 
-	static SceneTracks of(final SceneLine line, final List<Settled> settled) {
+	static SceneTracks of(final SceneLine line, final List<Settled> settled,
+		final AnchorChoice anchor) {
 		final int n = line.frames().size();
 		final List<List<Chain>> chains = new ArrayList<>();
 		final List<FilamentEnds> ends = new ArrayList<>();
 		for (final Settled s : settled) {
-			final FilamentEnds e = FilamentEnds.of(s.chains());
+			final FilamentEnds e = FilamentEnds.of(s.chains(), anchor);
 			ends.add(e);
 			chains.add(e.reversed() ? s.chains().stream().map(Chain::reversed).toList() : s.chains());
 		}

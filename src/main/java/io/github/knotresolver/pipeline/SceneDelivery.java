@@ -1,0 +1,54 @@
+
+package io.github.knotresolver.pipeline;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+
+import org.apache.commons.math3.stat.descriptive.rank.Median;
+
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.model.Anchor;
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.track.SceneTracks;
+import io.github.knotresolver.track.SceneTracks.Filament;
+
+/** The filaments of a scene as tracks: clamped ones first, then the longest. */
+final class SceneDelivery {
+
+	private static final Comparator<Filament> ORDER = Comparator
+		.comparing((Filament f) -> !f.clamped())
+		.thenComparing(Comparator.comparingDouble(Filament::length).reversed());
+
+	private SceneDelivery() {
+	}
+
+	/**
+	 * @param scene what was found
+	 * @param everyFrame completes the observations of the frames that were resolved
+	 */
+	static List<FilamentTrack> tracks(final SceneTracks scene,
+		final Function<List<Observation>, List<Observation>> everyFrame) {
+		final List<FilamentTrack> tracks = new ArrayList<>();
+		for (final Filament f : scene.filaments().stream().sorted(ORDER).toList())
+			tracks.add(new FilamentTrack(tracks.size() + 1,
+				f.clamped() ? Anchor.CLAMPED : Anchor.FREE,
+				f.clamped() ? fixedEnd(f) : Optional.empty(), f.length(), f.lengthError(),
+				everyFrame.apply(f.frames())));
+		return tracks;
+	}
+
+	/** Where the held end is: the median of the contours' first points. */
+	static Optional<Point> fixedEnd(final Filament filament) {
+		final List<Point> starts = filament.frames().stream()
+			.flatMap(o -> o.contour().stream()).map(c -> c.first()).toList();
+		return starts.isEmpty()
+			? Optional.empty()
+			: Optional.of(new Point(
+				new Median().evaluate(starts.stream().mapToDouble(Point::x).toArray()),
+				new Median().evaluate(starts.stream().mapToDouble(Point::y).toArray())));
+	}
+}

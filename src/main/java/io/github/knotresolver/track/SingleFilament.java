@@ -1,0 +1,99 @@
+
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+
+import org.jgrapht.alg.connectivity.ConnectivityInspector;
+
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.graph.Node;
+import io.github.knotresolver.graph.Segment;
+import io.github.knotresolver.graph.SkeletonGraph;
+
+/**
+ * Whether the graphs of a movie show beyond doubt that it holds one filament that is clamped:
+ * one object with no more than two free ends in nearly all frames, and one end in the same
+ * place in nearly all of those in which it lies open.
+ */
+public final class SingleFilament {
+
+	/** So many of the frames must show one object with at most two ends. */
+	private static final double NEARLY_ALL = 0.85;
+
+	/** Objects with less skeleton (pixels, and relative to the longest) are specks. */
+	private static final double SPECK = 12, SPECK_SHARE = 0.1;
+
+	/** A branch shorter than this (pixels) has no end of its own. */
+	private static final double SPUR = 8;
+
+	/** A clamped end is seen within this (pixels) of its place, in so many open frames. */
+	private static final double SAME_PLACE = 4, USUALLY = 0.85;
+
+	private static final int FEWEST_OPEN = 5;
+
+	private SingleFilament() {
+	}
+
+	/**
+	 * O(frames² + segments).
+	 *
+	 * @param frames a movie
+	 * @return whether it shows one clamped filament and nothing else
+	 */
+	public static boolean isClampedAlone(final List<FrameView> frames) {
+		final List<List<Point>> open = new ArrayList<>();
+		int alone = 0, seen = 0;
+		for (final FrameView frame : frames) {
+			final List<Set<Node>> objects = objects(frame.graph());
+			if (objects.isEmpty())
+				continue;
+			seen++;
+			final List<Point> ends = ends(frame.graph(), objects);
+			if (objects.size() == 1 && ends.size() <= 2) {
+				alone++;
+				if (ends.size() == 2)
+					open.add(ends);
+			}
+		}
+		return seen > 0 && alone >= NEARLY_ALL * seen && open.size() >= Math.min(FEWEST_OPEN, seen)
+			&& staysInPlace(open);
+	}
+
+	private static List<Set<Node>> objects(final SkeletonGraph graph) {
+		final List<Set<Node>> parts = new ConnectivityInspector<>(graph.asGraph()).connectedSets();
+		final double longest = parts.stream().mapToDouble(p -> length(graph, p)).max().orElse(0);
+		return parts.stream()
+			.filter(p -> length(graph, p) >= Math.max(SPECK, SPECK_SHARE * longest)).toList();
+	}
+
+	private static double length(final SkeletonGraph graph, final Set<Node> part) {
+		return graph.segments().stream().filter(s -> part.contains(s.source()))
+			.mapToDouble(Segment::length).sum();
+	}
+
+	private static List<Point> ends(final SkeletonGraph graph, final List<Set<Node>> objects) {
+		final Set<Node> kept = new HashSet<>();
+		objects.forEach(kept::addAll);
+		final List<Point> ends = new ArrayList<>();
+		for (final Segment s : graph.segments())
+			if (kept.contains(s.source()))
+				for (final Node node : List.of(s.source(), s.target()))
+					if (node.isFreeEnd() && (s.length() >= SPUR || graph.isUnbranched()))
+						ends.add(node.position());
+		return ends;
+	}
+
+	private static boolean staysInPlace(final List<List<Point>> open) {
+		for (final List<Point> frame : open)
+			for (final Point place : frame) {
+				final long same = open.stream().filter(
+					ends -> ends.stream().anyMatch(e -> e.distanceTo(place) <= SAME_PLACE)).count();
+				if (same >= USUALLY * open.size())
+					return true;
+			}
+		return false;
+	}
+}
