@@ -18,6 +18,7 @@ import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.progress.Progress;
 
 /**
  * What a line looks like in a movie with several filaments: learned from the frames whose
@@ -58,12 +59,14 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 	 *
 	 * @param frames the movie, at least one frame with a trail
 	 * @param kinds how strands may add up
+	 * @param progress asked whether to stop
 	 */
-	static SceneLine learn(final List<FrameView> frames, final Collection<LineModel.Kind> kinds) {
+	static SceneLine learn(final List<FrameView> frames, final Collection<LineModel.Kind> kinds,
+		final Progress progress) {
 		final double strand = firstStrand(frames);
 		final List<FrameView> scaled = frames.stream().map(f -> f.scaled(strand)).toList();
 		final List<FrameView> open = mostOpen(scaled);
-		final List<Learned> learned = kinds.stream().map(k -> learn(open, k)).toList();
+		final List<Learned> learned = kinds.stream().map(k -> learn(open, k, progress)).toList();
 		final Learned best = learned.stream()
 			.min(Comparator.comparingDouble(l -> l.line.residual())).orElseThrow();
 		final Estimate line = best.line;
@@ -106,7 +109,8 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 	private record Learned(Estimate line) {
 	}
 
-	private static Learned learn(final List<FrameView> frames, final LineModel.Kind kind) {
+	private static Learned learn(final List<FrameView> frames, final LineModel.Kind kind,
+		final Progress progress) {
 		Estimate line = new Estimate(LineModel.uniform(kind, FIRST_SIGMA, 1), 1, 0, 1);
 		for (int round = 0; round < ROUNDS; round++) {
 			final List<Example> examples = new ArrayList<>();
@@ -122,7 +126,7 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 			}
 			if (examples.isEmpty())
 				return new Learned(line);
-			line = LineEstimator.estimate(examples, kind, line.model().sigma());
+			line = LineEstimator.estimate(examples, kind, line.model().sigma(), progress);
 		}
 		return new Learned(line);
 	}

@@ -1,0 +1,132 @@
+
+package io.github.knotresolver.track;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+
+import org.junit.jupiter.api.Test;
+
+import net.imglib2.img.Img;
+import net.imglib2.type.logic.BitType;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.fit.LineModel.Kind;
+import io.github.knotresolver.fit.LineTables;
+import io.github.knotresolver.fit.NormalizedFrame;
+import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.graph.SkeletonGraph;
+import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.model.AnchorChoice;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.skeleton.Skeletonize;
+import io.github.knotresolver.track.SceneTracks.Filament;
+
+class SceneResolverTest {
+
+	private static final int SIZE = 120, FRAMES = 15;
+	private static final double NOISE = 0.05, STRAND = 80;
+
+	private static FrameView frame(final int t, final List<Chain> chains, final Random random) {
+		final NormalizedFrame dark = new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]);
+		final double[] light = new Scene(dark,
+			LineTables.together(LineModel.uniform(Kind.ADDITIVE, 1.4, 1)), chains).residual()
+				.pixels();
+		final boolean[] bright = new boolean[light.length];
+		for (int i = 0; i < light.length; i++) {
+			bright[i] = light[i] < -0.45;
+			light[i] = STRAND * (NOISE * random.nextGaussian() - light[i]);
+		}
+		final Img<BitType> mask = Pixels.mask(bright, SIZE);
+		return new FrameView(t + 1, new NormalizedFrame(SIZE, SIZE, light), mask,
+			SkeletonGraph.of(Skeletonize.thin(mask)));
+	}
+
+	private static SceneTracks resolve(final List<List<Chain>> chains) {
+		final Random random = new Random(5);
+		final List<FrameView> frames = new ArrayList<>();
+		for (int t = 0; t < chains.size(); t++)
+			frames.add(frame(t, chains.get(t), random));
+		return new SceneResolver(Set.of(Kind.ADDITIVE), Workers.HERE, Progress.NONE)
+			.resolve(frames, AnchorChoice.AUTO).orElseThrow();
+	}
+
+	/** A straight filament, from a place in a direction. */
+	private static Chain rod(final double x, final double y, final double angle,
+		final double length) {
+		return Chain.inScene(Polyline.of(new double[]{x, x + length * Math.cos(angle)},
+			new double[]{y, y + length * Math.sin(angle)}), length);
+	}
+
+	/** A bent filament whose first point stays. */
+	private static Chain beating(final double phase) {
+		final double[] x = new double[60], y = new double[60];
+		x[0] = 25;
+		y[0] = 100;
+		for (int i = 1; i < x.length; i++) {
+			final double angle = -0.6 + 0.7 * Math.sin(phase + i * 0.04);
+			x[i] = x[i - 1] + Math.cos(angle);
+			y[i] = y[i - 1] + Math.sin(angle);
+		}
+		return Chain.inScene(Polyline.of(x, y), 59);
+	}
+
+	private static double distance(final Polyline contour, final Chain truth) {
+		return SceneSeed.oneWay(contour, truth.polyline());
+	}
+
+	@Test
+	void filamentsThatCrossKeepTheirIdentitiesAndRunTheWayTheyGlide() {
+		final List<List<Chain>> movie = new ArrayList<>();
+		for (int t = 0; t < FRAMES; t++)
+			movie.add(List.of(rod(10 + 2.5 * t, 60, 0, 55),
+				rod(60 + 1.4 * t, 95 - 2 * t, -0.96, 40)));
+		final SceneTracks tracks = resolve(movie);
+		assertEquals(2, tracks.filaments().size());
+		for (final Filament f : tracks.filaments()) {
+			assertFalse(f.clamped());
+			final int which = f.length() > 47 ? 0 : 1;
+			assertEquals(which == 0 ? 55 : 40, f.length(), 1);
+			for (int t = 0; t < FRAMES; t++) {
+				final double off = distance(f.frames().get(t).contour().orElseThrow(),
+					movie.get(t).get(which));
+				assertTrue(off < 1, "filament " + which + ", frame " + (t + 1) + ": " + off);
+				assertTrue(f.frames().get(t).confidence() > 0.5);
+			}
+		}
+	}
+
+	@Test
+	void aClampedFilamentAndAGliderAreToldApart() {
+		final List<List<Chain>> movie = new ArrayList<>();
+		for (int t = 0; t < FRAMES; t++)
+			movie.add(List.of(beating(0.5 * t), rod(100 - 2 * t, 20 + t, 2.68, 35)));
+		final SceneTracks tracks = resolve(movie);
+		assertEquals(2, tracks.filaments().size());
+		for (final Filament f : tracks.filaments()) {
+			assertEquals(f.length() > 47, f.clamped());
+			for (int t = 0; t < FRAMES; t++)
+				assertTrue(distance(f.frames().get(t).contour().orElseThrow(),
+					movie.get(t).get(f.clamped() ? 0 : 1)) < 1, "frame " + (t + 1));
+		}
+	}
+
+	@Test
+	void aMovieWithOneFilamentGivesOne() {
+		final List<List<Chain>> movie = new ArrayList<>();
+		for (int t = 0; t < FRAMES; t++)
+			movie.add(List.of(beating(0.5 * t)));
+		final SceneTracks tracks = resolve(movie);
+		assertEquals(1, tracks.filaments().size());
+		assertTrue(tracks.filaments().get(0).clamped());
+		assertEquals(59, tracks.filaments().get(0).length(), 1);
+	}
+}
