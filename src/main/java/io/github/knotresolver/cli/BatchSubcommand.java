@@ -8,8 +8,9 @@ import java.util.concurrent.Callable;
 
 import io.github.knotresolver.imagej.Batch;
 import io.github.knotresolver.imagej.Engine;
-import io.github.knotresolver.io.BatchOutcome;
+import io.github.knotresolver.io.BatchList;
 import io.github.knotresolver.io.BatchOutcome.Status;
+import io.github.knotresolver.io.BatchOutcome;
 import io.github.knotresolver.io.BatchSheet;
 import io.github.knotresolver.io.MovieFolder;
 import io.github.knotresolver.model.UserException;
@@ -62,13 +63,14 @@ final class BatchSubcommand implements Callable<Integer> {
 				stderr.println("Columns that mean nothing here: "
 					+ String.join(", ", sheet.unknownColumns()) + ".");
 			outcomes = new Batch(engine, texts, force, plots).run(sheet.rows(), out,
+				List.of(input),
 				o -> (o.status() == Status.FAILED ? stderr : stdout).println(o.line()), progress);
 		} catch (final UserException e) {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
 		}
 		final long failed = outcomes.stream().filter(o -> o.status() == Status.FAILED).count();
 		stdout.println((outcomes.size() - failed) + " of " + outcomes.size()
-			+ " movies have a result. List: " + out.resolve(BatchOutcome.FILE));
+			+ " movies have a result. List: " + out.resolve(BatchList.FILE));
 		return failed == 0 ? ExitStatus.FINISHED : ExitStatus.FAILED;
 	}
 }

@@ -15,6 +15,7 @@ import io.github.knotresolver.imagej.ScoreFiles;
 import io.github.knotresolver.io.EvaluationReport;
 import io.github.knotresolver.io.LikeReport;
 import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
@@ -26,7 +27,7 @@ import picocli.CommandLine.Spec;
 
 /** {@code knotresolver evaluate}: a result against the truth, or against its like. */
 @Command(name = "evaluate", mixinStandardHelpOptions = true, sortOptions = false, usageHelpAutoWidth = true, customSynopsis = {
-	"knotresolver evaluate --truth TRUTH.csv --result CONTOURS.csv [--out FILE.csv] [--no-plots]",
+	"knotresolver evaluate --truth TRUTH.csv --result CONTOURS.csv [--out FILE.csv] [--force] [--no-plots]",
 	"knotresolver evaluate --like RESULT_DIR [--movies N] [--seed N] [--movie FILE] [--out DIR] [--force] [--no-plots]"}, description = "Compares contours with the true ones: Dice index, Frechet distance, position and length errors. Or simulates movies that resemble a result's, resolves them alike and tells how often and how exactly that works.%n")
 final class EvaluateSubcommand implements Callable<Integer> {
 
@@ -57,7 +58,7 @@ final class EvaluateSubcommand implements Callable<Integer> {
 	@Option(names = "--plots", negatable = true, defaultValue = "true", fallbackValue = "true", description = "With --out, draw figures, or not [on]; those of FILE.csv lie beside it.")
 	private boolean plots;
 
-	@Option(names = "--force", description = "Replace a folder that --like wrote earlier.")
+	@Option(names = "--force", description = "Replace scores, or a folder, that this command wrote earlier.")
 	private boolean force;
 
 	private final Engine engine;
@@ -87,8 +88,8 @@ final class EvaluateSubcommand implements Callable<Integer> {
 				+ (truth == null && result == null ? " and " : "")
 				+ (result == null ? "--result CONTOURS.csv" : "")
 				+ "; or give --like RESULT_DIR alone.");
-		if (like == null && (movies != null || seed != null || movie != null || force))
-			throw refusal("--movies, --seed, --movie and --force go with --like RESULT_DIR only.");
+		if (like == null && (movies != null || seed != null || movie != null))
+			throw refusal("--movies, --seed and --movie go with --like RESULT_DIR only.");
 	}
 
 	private ParameterException refusal(final String sentence) {
@@ -97,37 +98,52 @@ final class EvaluateSubcommand implements Callable<Integer> {
 	}
 
 	private void againstTruth() throws IOException {
-		final Evaluation evaluation;
-		try {
-			if (out != null)
-				ScoreFiles.requireWritable(out);
-			evaluation = Evaluation.of(TruthCsv.read("truth", truth),
-				TruthCsv.read("result", result), progress);
-		} catch (final UserException e) {
-			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+		if (out == null) {
+			print(EvaluationReport.lines(evaluation()));
+			return;
 		}
-		if (out != null)
-			ScoreFiles.write(out, evaluation, plots, progress);
+		final Evaluation evaluation;
+		try (ScoreFiles files = Usage.of(spec,
+			() -> ScoreFiles.reserve(out, plots, force, TruthCsv.files(truth, result)))) {
+			evaluation = evaluation();
+			files.write(evaluation, progress);
+		}
 		print(EvaluationReport.lines(evaluation));
 	}
 
+	private Evaluation evaluation() throws IOException {
+		return Usage.of(spec, () -> Evaluation.of(TruthCsv.read("truth", truth),
+			TruthCsv.read("result", result), progress));
+	}
+
 	private void againstLike() throws IOException {
-		final LikeStudy study;
 		final int count = movies == null ? LikeStudy.MOVIES : movies;
-		try {
+		Usage.of(spec, () -> {
 			LikeStudy.check(count);
-			if (out != null)
-				ResultFolder.check(out, force);
-			study = LikeRun.study(LikeRun.source(like, movie), engine, progress);
-		} catch (final UserException e) {
-			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+			return count;
+		});
+		if (out == null) {
+			print(LikeReport.lines(scores(study(), count)));
+			return;
 		}
-		final LikeResult scores = study.run(count, seed == null ? 1 : seed, progress);
-		if (out != null)
-			LikeFolder.write(study, scores, out, force, plots, progress);
+		final LikeResult scores;
+		try (ResultFolder folder = Usage.of(spec, () -> ResultFolder.reserve(out,
+			ResultKind.STUDY, force, LikeRun.files(like, movie)))) {
+			final LikeStudy study = study();
+			scores = scores(study, count);
+			LikeFolder.write(study, scores, folder, plots, progress);
+		}
 		print(LikeReport.lines(scores));
-		if (out != null)
-			spec.commandLine().getOut().println("Written to " + out + ".");
+		spec.commandLine().getOut().println("Written to " + out + ".");
+	}
+
+	private LikeStudy study() throws IOException {
+		return Usage.of(spec,
+			() -> LikeRun.study(LikeRun.source(like, movie), engine, progress));
+	}
+
+	private LikeResult scores(final LikeStudy study, final int count) {
+		return study.run(count, seed == null ? 1 : seed, progress);
 	}
 
 	private void print(final List<String> lines) {

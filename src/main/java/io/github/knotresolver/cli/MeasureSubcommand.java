@@ -3,20 +3,21 @@ package io.github.knotresolver.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 
 import io.github.knotresolver.imagej.plot.MeasurementFolder;
 import io.github.knotresolver.io.ContourInput;
+import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.MeasureOptions;
 import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.measure.MovieMeasurements;
-import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
@@ -74,20 +75,19 @@ final class MeasureSubcommand implements Callable<Integer> {
 
 	@Override
 	public Integer call() throws IOException {
-		final ContourInput contours;
+		final Path target = out != null
+			? out
+			: Usage.of(spec, () -> MeasurementFolder.beside(input));
 		final MovieMeasurements m;
-		final Path folder = out != null ? out : MeasurementFolder.beside(input);
-		try {
-			ResultFolder.check(folder, force);
-			contours = ContourInput.read(input);
-			m = options().measure(contours, progress);
-		} catch (final UserException e) {
-			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+		try (ResultFolder folder = Usage.of(spec, () -> ResultFolder.reserve(target,
+			ResultKind.MEASUREMENT, force, List.of(input, input.resolve(ContoursCsv.FILE))))) {
+			final ContourInput contours = Usage.of(spec, () -> ContourInput.read(input));
+			m = Usage.of(spec, () -> options().measure(contours, progress));
+			MeasurementFolder.write(m, folder, plots, originalDefinitions ? contours : null,
+				progress);
 		}
-		MeasurementFolder.write(m, folder, force, plots, originalDefinitions ? contours : null,
-			progress);
 		MeasurementFolder.report(m).forEach(spec.commandLine().getOut()::println);
-		spec.commandLine().getOut().println("Written to " + folder + ".");
+		spec.commandLine().getOut().println("Written to " + target + ".");
 		return ExitStatus.FINISHED;
 	}
 

@@ -3,6 +3,8 @@ package io.github.knotresolver.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 
 import ij.ImagePlus;
@@ -15,16 +17,16 @@ import io.github.knotresolver.imagej.SampleMovie;
 import io.github.knotresolver.io.CorrectionsCsv;
 import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.io.ResultKind;
+import io.github.knotresolver.io.RunIdentity;
 import io.github.knotresolver.io.RunReport;
 import io.github.knotresolver.model.Movie;
-import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
@@ -65,24 +67,21 @@ final class ResolveSubcommand implements Callable<Integer> {
 	}
 
 	private void resolve() throws IOException {
-		final RunOptions run;
-		final ImagePlus image;
-		final Movie input;
-		final Settings parameters;
-		try {
-			run = RunOptions.parse(GivenOptions.of(spec));
-			ResultFolder.check(out, force);
-			image = image();
-			input = ImageMovie.of(image, run.input());
-			parameters = run.settings(input, CorrectionsCsv.of(run));
-		} catch (final UserException e) {
-			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+		final Map<String, String> texts = GivenOptions.of(spec);
+		final RunOptions run = Usage.of(spec, () -> RunOptions.parse(texts));
+		final MeasuredTracks result;
+		try (ResultFolder folder = Usage.of(spec, () -> ResultFolder.reserve(out,
+			ResultKind.RESOLUTION, force, RunIdentity.files(movie, texts)))) {
+			final ImagePlus image = Usage.of(spec, this::image);
+			final Movie input = Usage.of(spec, () -> ImageMovie.of(image, run.input()));
+			final var parameters = Usage.of(spec, () -> run.settings(input, CorrectionsCsv.of(run)));
+			final Optional<RunIdentity> identity = RunIdentity.of(ImageFile.of(image), texts,
+				progress);
+			result = MeasuredTracks.of(
+				engine.resolve(input, parameters, progress), progress);
+			final RoiConverter rois = RoiConverter.forImage(image, run.input().channel());
+			new ResultWriter(result, run.input(), rois, identity).write(folder, plots, progress);
 		}
-		final MeasuredTracks result = MeasuredTracks
-			.of(engine.resolve(input, parameters, progress), progress);
-		final RoiConverter rois = RoiConverter.forImage(image, run.input().channel());
-		new ResultWriter(result, run.input(), rois, ImageFile.of(image)).write(out, force, plots,
-			progress);
 		final PrintWriter stdout = spec.commandLine().getOut();
 		RunReport.lines(result).forEach(stdout::println);
 		stdout.println("Result: " + out + " (look at montage.png first).");

@@ -2,18 +2,18 @@ package io.github.knotresolver.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Callable;
 
 import io.github.knotresolver.imagej.SimulationRun;
 import io.github.knotresolver.io.ResultFolder;
-import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.simulate.SimulatedMovie;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** {@code knotresolver simulate}: a movie with known truth. */
@@ -48,15 +48,14 @@ final class SimulateSubcommand implements Callable<Integer> {
 	}
 
 	private void simulate() throws IOException {
-		final SimulationRun run;
-		try {
-			run = new SimulationRun(simulation.parameters(), rendering.rendering());
-			ResultFolder.check(out, force);
-		} catch (final UserException e) {
-			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+		final SimulationRun run = Usage.of(spec,
+			() -> new SimulationRun(simulation.parameters(), rendering.rendering()));
+		final SimulatedMovie movie;
+		try (ResultFolder folder = Usage.of(spec,
+			() -> ResultFolder.reserve(out, ResultKind.SIMULATION, force, List.of()))) {
+			movie = run.run(progress);
+			run.write(movie, folder);
 		}
-		final SimulatedMovie movie = run.run(progress);
-		run.write(movie, out, force);
 		spec.commandLine().getOut().println(SimulationRun.report(movie));
 		spec.commandLine().getOut().println("Movie and truth: " + out);
 	}

@@ -15,8 +15,9 @@ import org.scijava.widget.FileWidget;
 import io.github.knotresolver.imagej.Batch;
 import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.imagej.form.MacroOptions;
-import io.github.knotresolver.io.BatchOutcome;
+import io.github.knotresolver.io.BatchList;
 import io.github.knotresolver.io.BatchOutcome.Status;
+import io.github.knotresolver.io.BatchOutcome;
 import io.github.knotresolver.io.BatchSheet;
 import io.github.knotresolver.io.MovieFolder;
 import io.github.knotresolver.model.UserException;
@@ -66,9 +67,9 @@ public class BatchCommand extends KnotCommand {
 			say("Columns that mean nothing here: " + String.join(", ", sheet.unknownColumns())
 				+ ".");
 		final List<BatchOutcome> outcomes = new Batch(engine, texts, force, plots).run(sheet.rows(),
-			out.toPath(), o -> say(o.line()), progress);
+			out.toPath(), List.of(input.toPath()), o -> say(o.line()), progress);
 		final long failed = outcomes.stream().filter(o -> o.status() == Status.FAILED).count();
 		say((outcomes.size() - failed) + " of " + outcomes.size() + " movies have a result. List: "
-			+ new File(out, BatchOutcome.FILE));
+			+ new File(out, BatchList.FILE));
 	}
 }

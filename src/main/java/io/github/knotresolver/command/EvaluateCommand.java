@@ -5,7 +5,6 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.SortedMap;
 
 import org.scijava.command.Command;
 import org.scijava.plugin.Attr;
@@ -17,7 +16,6 @@ import io.github.knotresolver.evaluate.Evaluation;
 import io.github.knotresolver.evaluate.FrameScore;
 import io.github.knotresolver.evaluate.like.LikeResult;
 import io.github.knotresolver.evaluate.like.LikeStudy;
-import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.imagej.LikeFolder;
 import io.github.knotresolver.imagej.LikeRun;
@@ -26,6 +24,7 @@ import io.github.knotresolver.imagej.plot.ScorePlots;
 import io.github.knotresolver.io.EvaluationReport;
 import io.github.knotresolver.io.LikeReport;
 import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
@@ -58,7 +57,7 @@ public class EvaluateCommand extends KnotCommand {
 	@Parameter(label = "Out (CSV; a folder with Like)", description = "Gets the scores of every frame, and figures; empty to write no file", required = false, persist = false)
 	private File out;
 
-	@Parameter(label = "Force (replace a folder)", description = "That Like wrote earlier", required = false, persist = false)
+	@Parameter(label = "Force (replace scores)", description = "Scores, or a folder with Like, that were written earlier", required = false, persist = false)
 	private boolean force = false;
 
 	@Parameter(label = "Table", description = "Show the scores of every frame", required = false, persist = false)
@@ -76,12 +75,16 @@ public class EvaluateCommand extends KnotCommand {
 	}
 
 	private void againstTruth(final Progress progress) throws IOException {
-		if (out != null)
-			ScoreFiles.requireWritable(out.toPath());
-		final Evaluation evaluation = Evaluation.of(read("truth", truth), read("result", result),
-			progress);
-		if (out != null)
-			ScoreFiles.write(out.toPath(), evaluation, plots, progress);
+		final Path truths = path("truth", truth), results = path("result", result);
+		final Evaluation evaluation;
+		if (out == null)
+			evaluation = evaluation(truths, results, progress);
+		else
+			try (ScoreFiles files = ScoreFiles.reserve(out.toPath(), plots, force,
+				TruthCsv.files(truths, results))) {
+				evaluation = evaluation(truths, results, progress);
+				files.write(evaluation, progress);
+			}
 		show(evaluation.frames(), evaluation.positionErrors());
 		EvaluationReport.lines(evaluation).forEach(this::say);
 	}
@@ -90,14 +93,17 @@ public class EvaluateCommand extends KnotCommand {
 		if (truth != null || result != null)
 			throw new UserException(
 				"like stands alone: leave truth and result empty, or leave like empty to compare those.");
-		if (out != null)
-			ResultFolder.check(out.toPath(), force);
 		final Path original = movie == null ? null : movie.toPath();
-		final LikeStudy study = LikeRun.study(LikeRun.source(like.toPath(), original),
-			Engine.PIPELINE, progress);
-		final LikeResult scores = study.run(movies, seed, progress);
-		if (out != null)
-			LikeFolder.write(study, scores, out.toPath(), force, plots, progress);
+		final LikeResult scores;
+		if (out == null)
+			scores = study(original, progress).run(movies, seed, progress);
+		else
+			try (ResultFolder folder = ResultFolder.reserve(out.toPath(), ResultKind.STUDY, force,
+				LikeRun.files(like.toPath(), original))) {
+				final LikeStudy study = study(original, progress);
+				scores = study.run(movies, seed, progress);
+				LikeFolder.write(study, scores, folder, plots, progress);
+			}
 		show(scores.movies().get(0).evaluation().frames(), scores.positionErrors());
 		LikeReport.lines(scores).forEach(this::say);
 	}
@@ -115,10 +121,20 @@ public class EvaluateCommand extends KnotCommand {
 		ScorePlots.frechet(frames).show();
 	}
 
-	private static SortedMap<Integer, Polyline> read(final String key, final File given) {
+	private static Evaluation evaluation(final Path truth, final Path result,
+		final Progress progress) {
+		return Evaluation.of(TruthCsv.read("truth", truth), TruthCsv.read("result", result),
+			progress);
+	}
+
+	private LikeStudy study(final Path original, final Progress progress) {
+		return LikeRun.study(LikeRun.source(like.toPath(), original), Engine.PIPELINE, progress);
+	}
+
+	private static Path path(final String key, final File given) {
 		if (given == null)
 			throw new UserException(
 				key + " is missing; name a contours.csv, or a folder with one.");
-		return TruthCsv.read(key, given.toPath());
+		return given.toPath();
 	}
 }

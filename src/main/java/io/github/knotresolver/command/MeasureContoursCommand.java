@@ -4,6 +4,7 @@ import java.awt.GraphicsEnvironment;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 
 import org.scijava.command.Command;
@@ -19,8 +20,10 @@ import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.imagej.plot.LivePlots;
 import io.github.knotresolver.imagej.plot.MeasurementFolder;
 import io.github.knotresolver.io.ContourInput;
+import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.MeasureOptions;
 import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.measure.Quantity;
 import io.github.knotresolver.progress.Progress;
@@ -76,20 +79,33 @@ public class MeasureContoursCommand extends KnotCommand {
 
 	@Override
 	void work(final Progress progress) throws IOException {
-		if (out != null)
-			ResultFolder.check(out.toPath(), force);
-		final ContourInput contours = contours();
-		final Map<String, String> texts = Form.of(this).texts();
-		texts.keySet().retainAll(MeasureOptions.KEYS);
-		final MovieMeasurements m = MeasureOptions.parse(texts).measure(contours, progress);
-		final Path folder = out == null ? null : out.toPath();
-		if (folder != null)
-			MeasurementFolder.write(m, folder, force, plots, original_definitions ? contours : null,
-				progress);
+		final MovieMeasurements m;
+		if (out == null)
+			m = measure(contours(), progress);
+		else
+			try (ResultFolder folder = ResultFolder.reserve(out.toPath(), ResultKind.MEASUREMENT,
+				force, inputs())) {
+				final ContourInput contours = contours();
+				m = measure(contours, progress);
+				MeasurementFolder.write(m, folder, plots, original_definitions ? contours : null,
+					progress);
+			}
 		progress.checkCancelled();
 		if (show && !GraphicsEnvironment.isHeadless())
 			show(m);
 		MeasurementFolder.report(m).forEach(this::say);
+	}
+
+	private List<Path> inputs() {
+		return result == null
+			? List.of()
+			: List.of(result.toPath(), result.toPath().resolve(ContoursCsv.FILE));
+	}
+
+	private MovieMeasurements measure(final ContourInput contours, final Progress progress) {
+		final Map<String, String> texts = Form.of(this).texts();
+		texts.keySet().retainAll(MeasureOptions.KEYS);
+		return MeasureOptions.parse(texts).measure(contours, progress);
 	}
 
 	private ContourInput contours() {

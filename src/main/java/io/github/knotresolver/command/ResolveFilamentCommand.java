@@ -33,6 +33,8 @@ import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.ParametersJson;
 import io.github.knotresolver.io.ProgramVersion;
 import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.io.ResultKind;
+import io.github.knotresolver.io.RunIdentity;
 import io.github.knotresolver.io.RunReport;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Region;
@@ -185,25 +187,37 @@ public class ResolveFilamentCommand extends KnotCommand {
 	@Override
 	void work(final Progress progress) throws IOException {
 		final long start = System.nanoTime();
-		if (out != null)
-			ResultFolder.check(out.toPath(), force);
 		final ImagePlus input = input();
-		final RunOptions options = RunOptions.parse(texts(input));
-		final Movie series = ImageMovie.of(input, options.input());
-		final Settings parameters = options.settings(series, CorrectionsCsv.of(options));
+		final Map<String, String> texts = texts(input);
+		final RunOptions options = RunOptions.parse(texts);
 		// The image may be closed meanwhile.
 		final RoiConverter rois = RoiConverter.forImage(input, channel);
-		final Optional<Path> file = ImageFile.of(input);
-		final MeasuredTracks result = MeasuredTracks.of(
-			engine.resolve(series, parameters, progress),
-			progress);
-		if (out != null)
-			new ResultWriter(result, options.input(), rois, file).write(out.toPath(), force, plots,
-				progress);
+		final MeasuredTracks result;
+		if (out == null)
+			result = resolve(input, options, progress);
+		else {
+			final Optional<Path> file = ImageFile.of(input);
+			try (ResultFolder folder = ResultFolder.reserve(out.toPath(), ResultKind.RESOLUTION,
+				force, RunIdentity.files(file.orElse(null), texts))) {
+				final Optional<RunIdentity> identity = RunIdentity.of(file, texts, progress);
+				result = resolve(input, options, progress);
+				new ResultWriter(result, options.input(), rois, identity).write(folder, plots,
+					progress);
+			}
+		}
 		progress.checkCancelled();
 		show(input, result, rois);
 		resolution = result.tracks();
 		report(result, options.input(), System.nanoTime() - start);
+	}
+
+	private MeasuredTracks resolve(final ImagePlus input, final RunOptions options,
+		final Progress progress) {
+		final Movie series = ImageMovie.of(input, options.input());
+		final Settings parameters = options.settings(series, CorrectionsCsv.of(options));
+		return MeasuredTracks.of(
+			engine.resolve(series, parameters, progress),
+			progress);
 	}
 
 	private ImagePlus input() {

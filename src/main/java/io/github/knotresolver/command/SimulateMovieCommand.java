@@ -3,6 +3,7 @@ package io.github.knotresolver.command;
 import java.awt.GraphicsEnvironment;
 import java.io.File;
 import java.io.IOException;
+import java.util.List;
 import java.util.Locale;
 
 import org.scijava.ItemIO;
@@ -18,6 +19,7 @@ import io.github.knotresolver.imagej.MovieTiff;
 import io.github.knotresolver.imagej.Rendering;
 import io.github.knotresolver.imagej.SimulationRun;
 import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.options.OptionText;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.simulate.Clamp;
@@ -149,11 +151,15 @@ public class SimulateMovieCommand extends KnotCommand {
 	@Override
 	void work(final Progress progress) throws IOException {
 		final SimulationRun run = new SimulationRun(parameters(), rendering());
-		if (out != null)
-			ResultFolder.check(out.toPath(), force);
-		final SimulatedMovie movie = run.run(progress);
-		if (out != null)
-			run.write(movie, out.toPath(), force);
+		final SimulatedMovie movie;
+		if (out == null)
+			movie = run.run(progress);
+		else
+			try (ResultFolder folder = ResultFolder.reserve(out.toPath(), ResultKind.SIMULATION,
+				force, List.of())) {
+				movie = run.run(progress);
+				run.write(movie, folder);
+			}
 		simulated = MovieTiff.image(movie.movie());
 		if (!GraphicsEnvironment.isHeadless() || Interpreter.isBatchMode())
 			simulated.show();

@@ -1,24 +1,25 @@
 package io.github.knotresolver.imagej;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
-import java.util.TreeMap;
+import java.util.Optional;
 import java.util.function.Consumer;
 
 import ij.ImagePlus;
-import io.github.knotresolver.io.BatchOutcome;
+import io.github.knotresolver.io.BatchFolders;
+import io.github.knotresolver.io.BatchList;
 import io.github.knotresolver.io.BatchOutcome.Status;
+import io.github.knotresolver.io.BatchOutcome;
 import io.github.knotresolver.io.BatchRow;
 import io.github.knotresolver.io.CorrectionsCsv;
 import io.github.knotresolver.io.Failure;
 import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.io.ResultKind;
+import io.github.knotresolver.io.RunIdentity;
 import io.github.knotresolver.io.RunReport;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
@@ -43,6 +44,7 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 	 *
 	 * @param rows the rows
 	 * @param out the folder of the result folders; made if absent
+	 * @param inputs what else is read, such as the sheet
 	 * @param listener told of every outcome as it comes
 	 * @param progress may cancel; what is finished by then stays
 	 * @return what came of the rows, in their order
@@ -51,80 +53,83 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 	 * @throws IOException if the list cannot be written
 	 */
 	public List<BatchOutcome> run(final List<BatchRow> rows, final Path out,
-		final Consumer<BatchOutcome> listener, final Progress progress) throws IOException {
-		requireWritable(out);
-		final List<BatchOutcome> outcomes = new ArrayList<>();
-		final Set<String> names = new HashSet<>();
-		try {
+		final List<Path> inputs, final Consumer<BatchOutcome> listener, final Progress progress)
+		throws IOException {
+		final List<Path> read = new ArrayList<>(inputs);
+		rows.forEach(row -> read.addAll(files(row)));
+		try (BatchList list = BatchList.open(out, read)) {
+			final BatchFolders folders = BatchFolders.of(out, rows, defaults, progress);
 			for (final BatchRow row : rows) {
 				progress.checkCancelled();
-				final Path folder = out.resolve(name(row, names));
-				final BatchOutcome outcome = resolve(row, folder,
-					new Part(progress, outcomes.size(), rows.size()));
-				outcomes.add(outcome);
+				final BatchOutcome outcome = new Row(row, out, folders, read)
+					.resolve(new Part(progress, list.outcomes().size(), rows.size()));
+				list.add(outcome);
 				listener.accept(outcome);
 			}
-			return outcomes;
-		} finally {
-			BatchOutcome.write(out.resolve(BatchOutcome.FILE), outcomes);
+			return list.outcomes();
 		}
 	}
 
-	private static void requireWritable(final Path out) {
+	private List<Path> files(final BatchRow row) {
 		try {
-			Files.createDirectories(out);
-		} catch (final IOException e) {
-			throw new UserException(
-				"The folder " + out + " cannot be made; choose another one in a writable place.",
-				e);
-		}
-		if (!Files.isWritable(out))
-			throw new UserException(
-				"The folder " + out + " is not writable; choose another one.");
-	}
-
-	/** The movie's name without its ending; numbered if it comes again. */
-	private static String name(final BatchRow row, final Set<String> taken) {
-		final String stem = row.movie().getFileName().toString().replaceFirst("\\.[^.]*$", "");
-		String name = stem;
-		for (int i = 2; !taken.add(name); i++)
-			name = stem + "-" + i;
-		return name;
-	}
-
-	private BatchOutcome resolve(final BatchRow row, final Path folder, final Progress progress) {
-		if (!overwrite && ResultFolder.isResult(folder))
-			return new BatchOutcome(row, Status.SKIPPED, folder,
-				"There is a result already; add force to do it again.");
-		try {
-			final MeasuredTracks result = result(row, folder, progress);
-			final List<String> words = new ArrayList<>(row.notes());
-			words.add(0, RunReport.lines(result).get(0));
-			return new BatchOutcome(row, Status.FINISHED, folder, String.join(" ", words));
-		} catch (final CancelledException e) {
-			throw e;
-		} catch (final RuntimeException | IOException | Error e) {
-			return new BatchOutcome(row, Status.FAILED, folder,
-				Failure.of(e, "give Java more").sentence());
+			return RunIdentity.files(row.file(), row.over(defaults));
+		} catch (final UserException e) {
+			// The row is refused when it has its turn.
+			return List.of();
 		}
 	}
 
-	private MeasuredTracks result(final BatchRow row, final Path folder,
-		final Progress progress) throws IOException {
-		row.requireTryable();
-		final Map<String, String> texts = new TreeMap<>(defaults);
-		texts.putAll(row.texts());
-		final RunOptions options = RunOptions.parse(texts);
-		ResultFolder.check(folder, overwrite);
-		final ImagePlus image = ImageFile.open(row.movie());
-		final Movie movie = ImageMovie.of(image, options.input());
-		final MeasuredTracks result = MeasuredTracks.of(engine.resolve(movie,
-			options.settings(movie, CorrectionsCsv.of(options)),
-			progress), progress);
-		final RoiConverter rois = RoiConverter.forImage(image, options.input().channel());
-		new ResultWriter(result, options.input(), rois, ImageFile.of(image)).write(folder,
-			overwrite, plots, progress);
-		return result;
+	/** A row that has its turn. */
+	private final class Row {
+
+		private final BatchRow row;
+		private final Path out;
+		private final BatchFolders folders;
+		private final List<Path> inputs;
+
+		Row(final BatchRow row, final Path out, final BatchFolders folders,
+			final List<Path> inputs) {
+			this.row = row;
+			this.out = out;
+			this.folders = folders;
+			this.inputs = inputs;
+		}
+
+		BatchOutcome resolve(final Progress progress) {
+			try {
+				final BatchFolders.Place place = folders.place(row);
+				if (place.isFinished() && !overwrite)
+					return new BatchOutcome(row, Status.SKIPPED, Optional.of(place.name()),
+						"There is a result already; add force to do it again.");
+				final MeasuredTracks result = result(out.resolve(place.name()), progress);
+				final List<String> words = new ArrayList<>(row.notes());
+				words.add(0, RunReport.lines(result).get(0));
+				return new BatchOutcome(row, Status.FINISHED, Optional.of(place.name()),
+					String.join(" ", words));
+			} catch (final CancelledException e) {
+				throw e;
+			} catch (final RuntimeException | IOException | Error e) {
+				return BatchOutcome.failed(row, Failure.of(e, "give Java more").sentence());
+			}
+		}
+
+		private MeasuredTracks result(final Path target, final Progress progress)
+			throws IOException {
+			final Map<String, String> texts = row.over(defaults);
+			final RunOptions options = RunOptions.parse(texts);
+			try (ResultFolder folder = ResultFolder.reserve(target, ResultKind.RESOLUTION,
+				overwrite, inputs)) {
+				final ImagePlus image = ImageFile.open(row.file());
+				final Movie movie = ImageMovie.of(image, options.input());
+				final RunIdentity identity = RunIdentity.of(row.file(), texts, progress);
+				final MeasuredTracks result = MeasuredTracks
+					.of(engine.resolve(movie, options.settings(movie, CorrectionsCsv.of(options)), progress), progress);
+				final RoiConverter rois = RoiConverter.forImage(image, options.input().channel());
+				new ResultWriter(result, options.input(), rois, Optional.of(identity))
+					.write(folder, plots, progress);
+				return result;
+			}
+		}
 	}
 
 	/** Progress of one row as a part of the whole. */

@@ -1,7 +1,6 @@
 package io.github.knotresolver.imagej;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.List;
 
 import io.github.knotresolver.evaluate.FrameScore;
@@ -29,28 +28,26 @@ public final class LikeFolder {
 	 *
 	 * @param study what was run
 	 * @param result what came of it
-	 * @param out the wanted folder
-	 * @param overwrite whether an earlier one may be replaced
+	 * @param folder the reserved folder; committed here
 	 * @param plots whether figures are drawn
 	 * @param progress may cancel; nothing is left then
 	 * @throws IOException if the disk says no
 	 */
-	public static void write(final LikeStudy study, final LikeResult result, final Path out,
-		final boolean overwrite, final boolean plots, final Progress progress) throws IOException {
-		try (ResultFolder folder = ResultFolder.prepare(out, overwrite)) {
-			LikeTables.write(folder.path(), result);
-			LikeJson.write(folder.path().resolve(ParametersJson.FILE), result);
-			if (plots) {
-				final List<List<FrameScore>> frames = result.movies().stream()
-					.map(m -> m.evaluation().frames()).toList();
-				ScoreFigures.write(folder.path(), "", frames, result.positionErrors(), progress);
-				final SimulatedMovie first = study.movie(result.motion(),
-					result.movies().get(0).seed(), progress);
-				PngFile.write(folder.path().resolve(COMPARISON),
-					SideBySide.of(result.source().movie(), first.movie()));
-			}
-			progress.checkCancelled();
-			folder.commit();
+	public static void write(final LikeStudy study, final LikeResult result,
+		final ResultFolder folder, final boolean plots, final Progress progress)
+		throws IOException {
+		LikeTables.write(folder.path(), result);
+		LikeJson.write(folder.path().resolve(ParametersJson.FILE), result);
+		if (plots) {
+			final List<List<FrameScore>> frames = result.movies().stream()
+				.map(m -> m.evaluation().frames()).toList();
+			ScoreFigures.write(folder.path(), "", frames, result.positionErrors(), progress);
+			final SimulatedMovie first = study.movie(result.motion(),
+				result.movies().get(0).seed(), progress);
+			PngFile.write(folder.path().resolve(COMPARISON),
+				SideBySide.of(result.source().movie(), first.movie()));
 		}
+		progress.checkCancelled();
+		folder.commit();
 	}
 }

@@ -1,6 +1,7 @@
 package io.github.knotresolver.imagej;
 
 import java.nio.file.Path;
+import java.util.List;
 
 import io.github.knotresolver.evaluate.like.LikeSource;
 import io.github.knotresolver.evaluate.like.LikeStudy;
@@ -27,6 +28,18 @@ public final class LikeRun {
 		final ResolvedRun run = ResolvedRun.read(folder);
 		final Movie opened = open(run, movie);
 		return new LikeSource(opened, run.contours().contours(), run.options().parameters(opened));
+	}
+
+	/**
+	 * @param folder a result folder
+	 * @param movie the movie that it was made from; null for the file that the
+	 *          result tells
+	 * @return the files and folders that are read
+	 * @throws UserException if the folder is none, or the movie is gone, in
+	 *           one sentence
+	 */
+	public static List<Path> files(final Path folder, final Path movie) {
+		return List.of(folder, ResolvedRun.read(folder).movieFile(movie));
 	}
 
 	private static Movie open(final ResolvedRun run, final Path named) {

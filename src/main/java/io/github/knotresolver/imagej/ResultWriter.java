@@ -3,6 +3,7 @@ package io.github.knotresolver.imagej;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 
 import ij.ImagePlus;
@@ -15,10 +16,10 @@ import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.OriginalFiles;
 import io.github.knotresolver.io.ParametersJson;
 import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.io.RunIdentity;
 import io.github.knotresolver.io.SummaryCsv;
 import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.model.Tracks;
-import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.progress.Progress;
 
@@ -32,54 +33,50 @@ public final class ResultWriter {
 	private final Tracks tracks;
 	private final InputOptions input;
 	private final RoiConverter rois;
-	private final Optional<Path> file;
+	private final Optional<RunIdentity> identity;
 
 	/**
 	 * @param result a measured result
 	 * @param input how its movie was taken from the image
 	 * @param rois makes ROIs for that image
-	 * @param file the image's file; empty if it has none
+	 * @param identity what the result was made from; empty if the image has no file
 	 */
 	public ResultWriter(final MeasuredTracks result, final InputOptions input,
-		final RoiConverter rois, final Optional<Path> file) {
+		final RoiConverter rois, final Optional<RunIdentity> identity) {
 		this.result = result;
 		this.tracks = result.tracks();
 		this.input = input;
 		this.rois = rois;
-		this.file = file;
+		this.identity = identity;
 	}
 
 	/**
 	 * Writes a complete folder or nothing.
 	 *
-	 * @param out the wanted folder
-	 * @param overwrite whether an earlier result may be replaced
+	 * @param folder the reserved folder; committed here
 	 * @param plots whether plots and projections are written as well; tables, ROIs,
 	 *          overlay, montage and kymographs always are
 	 * @param progress may cancel; nothing is left then
-	 * @throws UserException if the folder may not be written, in one
-	 *           sentence
 	 * @throws IOException if the disk says no
 	 */
-	public void write(final Path out, final boolean overwrite, final boolean plots,
-		final Progress progress) throws IOException {
-		try (ResultFolder folder = ResultFolder.prepare(out, overwrite)) {
-			progress.report("Writing tables", 0);
-			writeTables(folder.path());
-			progress.checkCancelled();
-			RoiSetWriter.write(folder.path().resolve(RoiSetWriter.FILE), rois.rois(tracks));
-			progress.report("Drawing", 0);
-			writePictures(folder.path(), plots, progress);
-			progress.checkCancelled();
-			folder.commit();
-		}
+	public void write(final ResultFolder folder, final boolean plots, final Progress progress)
+		throws IOException {
+		progress.report("Writing tables", 0);
+		writeTables(folder.path());
+		progress.checkCancelled();
+		RoiSetWriter.write(folder.path().resolve(RoiSetWriter.FILE), rois.rois(tracks));
+		progress.report("Drawing", 0);
+		writePictures(folder.path(), plots, progress);
+		progress.checkCancelled();
+		folder.commit();
 	}
 
 	private void writeTables(final Path folder) throws IOException {
 		ContoursCsv.write(folder.resolve(ContoursCsv.FILE), result);
 		FramesCsv.write(folder.resolve(FramesCsv.FILE), result);
 		SummaryCsv.write(folder.resolve(SummaryCsv.FILE), result, input);
-		ParametersJson.write(folder.resolve(ParametersJson.FILE), tracks, input, file);
+		ParametersJson.write(folder.resolve(ParametersJson.FILE), tracks, input,
+			identity, List.of());
 		OriginalFiles.writeContours(folder.resolve(OriginalFiles.CONTOURS), result);
 		OriginalFiles.writeStatistics(folder.resolve(OriginalFiles.STATISTICS), result);
 	}

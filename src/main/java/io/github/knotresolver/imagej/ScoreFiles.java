@@ -2,47 +2,70 @@ package io.github.knotresolver.imagej;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.List;
 
 import io.github.knotresolver.evaluate.Evaluation;
 import io.github.knotresolver.imagej.plot.ScoreFigures;
 import io.github.knotresolver.io.EvaluationCsv;
+import io.github.knotresolver.io.OutputFiles;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 /** An evaluation as a table, with its figures beside it. */
-public final class ScoreFiles {
+public final class ScoreFiles implements AutoCloseable {
 
-	private ScoreFiles() {
+	private final String name;
+	private final String prefix;
+	private final boolean plots;
+	private final OutputFiles files;
+
+	private ScoreFiles(final String name, final String prefix, final boolean plots,
+		final OutputFiles files) {
+		this.name = name;
+		this.prefix = prefix;
+		this.plots = plots;
+		this.files = files;
 	}
 
 	/**
-	 * @param out where the table is to go
-	 * @throws UserException if it cannot be written there, in one
-	 *           sentence
-	 */
-	public static void requireWritable(final Path out) {
-		EvaluationCsv.requireWritable(out);
-	}
-
-	/**
-	 * Writes {@code scores.csv}, say, and beside it {@code scores-position_error.png},
-	 * {@code .svg} and so on.
+	 * Reserves the places of {@code scores.csv}, say, and of
+	 * {@code scores-position_error.png}, {@code .svg} and so on beside it.
 	 *
 	 * @param out the table
-	 * @param evaluation the scores
 	 * @param plots whether figures are drawn
-	 * @param progress may cancel
-	 * @throws IOException if the disk says no
+	 * @param overwrite whether earlier ones may be replaced
+	 * @param inputs files that are read; they are never replaced
+	 * @return the files, to be written and closed
+	 * @throws UserException if they may not be written, in one sentence
+	 * @throws IOException if nothing can be written there
 	 */
-	public static void write(final Path out, final Evaluation evaluation, final boolean plots,
-		final Progress progress) throws IOException {
-		EvaluationCsv.write(out, evaluation);
-		if (!plots)
-			return;
-		final Path file = out.toAbsolutePath().normalize();
-		final String stem = file.getFileName().toString().replaceFirst("\\.[^.]+$", "");
-		ScoreFigures.write(file.getParent(), stem + "-", List.of(evaluation.frames()),
-			evaluation.positionErrors(), progress);
+	public static ScoreFiles reserve(final Path out, final boolean plots, final boolean overwrite,
+		final Collection<Path> inputs) throws IOException {
+		final Path name = out.toAbsolutePath().normalize().getFileName();
+		if (name == null)
+			throw new UserException("out " + out + " cannot be written; name a file.");
+		final String prefix = name.toString().replaceFirst("\\.[^.]+$", "") + "-";
+		final List<String> figures = plots ? ScoreFigures.files(prefix) : List.of();
+		return new ScoreFiles(name.toString(), prefix, plots,
+			OutputFiles.reserve(out, figures, EvaluationCsv::isOurs, overwrite, inputs));
+	}
+
+	/**
+	 * @param evaluation the scores
+	 * @param progress may cancel; nothing is written then
+	 * @throws IOException if the files cannot be written
+	 */
+	public void write(final Evaluation evaluation, final Progress progress) throws IOException {
+		EvaluationCsv.write(files.path().resolve(name), evaluation);
+		if (plots)
+			ScoreFigures.write(files.path(), prefix, List.of(evaluation.frames()),
+				evaluation.positionErrors(), progress);
+		files.commit(name);
+	}
+
+	@Override
+	public void close() throws IOException {
+		files.close();
 	}
 }

@@ -1,7 +1,6 @@
 package io.github.knotresolver.imagej;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.Locale;
 
 import io.github.knotresolver.geometry.Crossings;
@@ -53,19 +52,15 @@ public record SimulationRun(SimulationParameters parameters, Rendering rendering
 	 * Writes a complete folder or nothing.
 	 *
 	 * @param movie what {@link #run(Progress)} gave
-	 * @param out the wanted folder
-	 * @param overwrite whether an earlier movie may be replaced
+	 * @param folder the reserved folder; committed here
 	 * @throws IOException if the disk says no
 	 */
-	public void write(final SimulatedMovie movie, final Path out, final boolean overwrite)
-		throws IOException {
-		try (ResultFolder folder = ResultFolder.prepare(out, overwrite)) {
-			MovieTiff.write(movie.movie(), folder.path().resolve(MOVIE));
-			TruthCsv.write(folder.path().resolve(ContoursCsv.FILE), movie.truth());
-			SimulationJson.write(folder.path().resolve(ParametersJson.FILE), parameters,
-				rendering.settings());
-			folder.commit();
-		}
+	public void write(final SimulatedMovie movie, final ResultFolder folder) throws IOException {
+		MovieTiff.write(movie.movie(), folder.path().resolve(MOVIE));
+		TruthCsv.write(folder.path().resolve(ContoursCsv.FILE), movie.truth());
+		SimulationJson.write(folder.path().resolve(ParametersJson.FILE), parameters,
+			rendering.settings());
+		folder.commit();
 	}
 
 	/**

@@ -1,10 +1,10 @@
 package io.github.knotresolver.io;
 
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.TreeMap;
 
 import io.github.knotresolver.model.UserException;
@@ -14,36 +14,53 @@ import io.github.knotresolver.options.RunOptions;
  * One row of a batch sheet.
  *
  * @param line 1-based line of the sheet
- * @param movie the movie's file
+ * @param movie the movie's file, as text: not all text is a path on every system
  * @param texts the row's options by their keys, not yet checked
  * @param notes what the row asks for and this program does otherwise; one
  *          sentence each
- * @param refusal why the row cannot be done, in one sentence; empty if it can be tried
  */
-public record BatchRow(int line, Path movie, Map<String, String> texts, List<String> notes,
-	Optional<String> refusal) {
+public record BatchRow(int line, String movie, Map<String, String> texts, List<String> notes) {
 
 	public BatchRow {
 		texts = Collections.unmodifiableMap(new TreeMap<>(texts));
 		notes = List.copyOf(notes);
 	}
 
-	/** A row that can be tried. */
-	public BatchRow(final int line, final Path movie, final Map<String, String> texts,
-		final List<String> notes) {
-		this(line, movie, texts, notes, Optional.empty());
+	/**
+	 * @return the movie's file
+	 * @throws UserException if no file can have that name here, in one
+	 *           sentence
+	 */
+	public Path file() {
+		try {
+			return Path.of(movie);
+		} catch (final InvalidPathException e) {
+			throw new UserException("'" + visible(movie)
+				+ "' cannot be the name of a file on this system (" + e.getReason()
+				+ ", names are in " + System.getProperty("sun.jnu.encoding")
+				+ "); write it otherwise, or set LC_ALL=C.UTF-8 if it has letters like ü.", e);
+		}
 	}
 
-	/** A row that cannot. */
-	static BatchRow refused(final int line, final Path movie, final String sentence) {
-		return new BatchRow(line, movie, Map.of(), List.of(), Optional.of(sentence));
+	/** @return the movie's file name, without the folders */
+	public String name() {
+		return visible(movie.substring(
+			Math.max(movie.lastIndexOf('/'), movie.lastIndexOf('\\')) + 1));
 	}
 
-	/** @throws UserException if the row cannot be done */
-	public void requireTryable() {
-		refusal.ifPresent(sentence -> {
-			throw new UserException(sentence);
-		});
+	/** Text of a sheet may hold characters that no terminal shows. */
+	private static String visible(final String text) {
+		return text.replaceAll("\\p{Cntrl}", "\uFFFD");
+	}
+
+	/**
+	 * @param defaults options of all rows, by key
+	 * @return the row's own options over them
+	 */
+	public Map<String, String> over(final Map<String, String> defaults) {
+		final Map<String, String> all = new TreeMap<>(defaults);
+		all.putAll(texts);
+		return all;
 	}
 
 	/**

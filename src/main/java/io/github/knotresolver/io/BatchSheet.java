@@ -53,7 +53,7 @@ public record BatchSheet(List<BatchRow> rows, List<String> unknownColumns) {
 		final Path home = file.toAbsolutePath().getParent();
 		final List<BatchRow> rows = new ArrayList<>();
 		for (final CsvRow record : records.subList(1, records.size()))
-			rows.add(rowOrRefusal(home, keys, record));
+			rows.add(row(home, keys, record));
 		return new BatchSheet(rows,
 			header.stream().filter(h -> !isKnown(h.toLowerCase(Locale.ROOT))).toList());
 	}
@@ -61,19 +61,6 @@ public record BatchSheet(List<BatchRow> rows, List<String> unknownColumns) {
 	private static boolean isKnown(final String key) {
 		return key.equals(FILE_NAME) || key.equals(FOLDER) || RunOptions.KEYS.contains(key)
 			|| OriginalColumns.NAMES.contains(key);
-	}
-
-	/** A name that no file can have here spoils its row, not the sheet. */
-	private static BatchRow rowOrRefusal(final Path home, final List<String> keys,
-		final CsvRow record) {
-		try {
-			return row(home, keys, record);
-		} catch (final InvalidPathException e) {
-			return BatchRow.refused(record.line(), home.resolve("line " + record.line()),
-				"'" + e.getInput() + "' cannot be the name of a file on this system ("
-					+ e.getReason() + ", names are in " + System.getProperty("sun.jnu.encoding")
-					+ "); write it otherwise, or set LC_ALL=C.UTF-8 if it has letters like ü.");
-		}
 	}
 
 	private static BatchRow row(final Path home, final List<String> keys, final CsvRow record) {
@@ -86,9 +73,21 @@ public record BatchSheet(List<BatchRow> rows, List<String> unknownColumns) {
 		for (final String key : RunOptions.KEYS)
 			if (cells.containsKey(key) && !cells.get(key).isBlank())
 				texts.put(key, cells.get(key));
-		texts.computeIfPresent("corrections", (key, path) -> home.resolve(path).toString());
-		final Path movie = home.resolve(cells.getOrDefault(FOLDER, ""))
-			.resolve(cells.getOrDefault(FILE_NAME, ""));
-		return new BatchRow(record.line(), movie.normalize(), texts, notes);
+		texts.computeIfPresent("corrections", (key, path) -> resolved(home, path));
+		final String movie = resolved(home, cells.getOrDefault(FOLDER, ""),
+			cells.getOrDefault(FILE_NAME, ""));
+		return new BatchRow(record.line(), movie, texts, notes);
+	}
+
+	/** A name that no file can have here spoils its row, when that has its turn, not the sheet. */
+	private static String resolved(final Path home, final String... parts) {
+		try {
+			Path path = home;
+			for (final String part : parts)
+				path = path.resolve(part);
+			return path.normalize().toString();
+		} catch (final InvalidPathException e) {
+			return String.join("/", parts);
+		}
 	}
 }

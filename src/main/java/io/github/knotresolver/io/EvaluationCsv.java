@@ -1,7 +1,9 @@
 
 package io.github.knotresolver.io;
 
+import java.io.BufferedReader;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
@@ -10,7 +12,6 @@ import org.apache.commons.csv.CSVPrinter;
 import io.github.knotresolver.evaluate.CurveScore;
 import io.github.knotresolver.evaluate.Evaluation;
 import io.github.knotresolver.evaluate.FrameScore;
-import io.github.knotresolver.model.UserException;
 
 /**
  * The scores of a result, one row for every frame of the truth. Distances are in
@@ -42,16 +43,15 @@ public final class EvaluationCsv {
 	}
 
 	/**
-	 * @param out where the scores are to go
-	 * @throws UserException if they cannot be written there, in one
-	 *           sentence
+	 * @param file an existing file
+	 * @return whether it is a table of scores that this program wrote
 	 */
-	public static void requireWritable(final Path out) {
-		final Path folder = out.toAbsolutePath().normalize().getParent();
-		if (folder == null || Files.isDirectory(out) || !Files.isDirectory(folder)
-			|| !Files.isWritable(Files.exists(out) ? out : folder))
-			throw new UserException(
-				"out " + out + " cannot be written; choose a file in a writable folder.");
+	public static boolean isOurs(final Path file) {
+		try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
+			return String.join(",", HEADER).equals(reader.readLine());
+		} catch (final IOException e) {
+			return false;
+		}
 	}
 
 	/** @return the number, or {@code inf} */

@@ -11,10 +11,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
-import com.google.gson.JsonObject;
 
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Movie;
@@ -33,7 +33,6 @@ public final class ParametersJson {
 	/** The file's name in a result folder. */
 	public static final String FILE = "parameters.json";
 
-	private static final String PROGRAM = "program";
 	private static final Gson GSON = new GsonBuilder().setPrettyPrinting().disableHtmlEscaping()
 		.serializeNulls().create();
 
@@ -44,19 +43,24 @@ public final class ParametersJson {
 	 * @param file the file to write
 	 * @param tracks the result
 	 * @param input how the movie was taken from its image
-	 * @param image the image's file; empty if there is none
+	 * @param identity what it was made from; empty if the image has no file
+	 * @param notes what else a user should know; one sentence each
 	 * @throws IOException if the disk says no
 	 */
 	public static void write(final Path file, final Tracks tracks, final InputOptions input,
-		final Optional<Path> image) throws IOException {
+		final Optional<RunIdentity> identity, final List<String> notes) throws IOException {
 		final Map<String, Object> json = new LinkedHashMap<>();
-		json.put(PROGRAM, ProgramVersion.NAME);
+		json.put("program", ProgramVersion.NAME);
 		json.put("version", ProgramVersion.get());
-		json.put("movie", movie(tracks.movie(), image));
+		json.put("movie", movie(tracks.movie(), identity));
 		json.put("options", RunOptions.values(tracks.settings(), input, tracks.movie().calibration()));
 		json.put("corrections", corrections(tracks.settings().corrections()));
+		identity.ifPresent(i -> {
+			json.put(RunIdentity.GIVEN, i.given());
+			json.put(RunIdentity.CORRECTIONS, i.corrections());
+		});
 		json.put("found", found(tracks));
-		json.put("notes", tracks.notes());
+		json.put("notes", Stream.concat(tracks.notes().stream(), notes.stream()).toList());
 		Files.writeString(file, GSON.toJson(json) + "\n", StandardCharsets.UTF_8);
 	}
 
@@ -76,18 +80,8 @@ public final class ParametersJson {
 		return line.toString();
 	}
 
-	/** @return whether this program wrote the file */
-	static boolean isOurs(final Path file) {
-		try {
-			final JsonObject json = GSON.fromJson(Files.readString(file), JsonObject.class);
-			return json != null && json.has(PROGRAM)
-				&& ProgramVersion.NAME.equals(json.get(PROGRAM).getAsString());
-		} catch (final IOException | RuntimeException e) {
-			return false;
-		}
-	}
-
-	private static Map<String, Object> movie(final Movie movie, final Optional<Path> image) {
+	private static Map<String, Object> movie(final Movie movie,
+		final Optional<RunIdentity> identity) {
 		final Map<String, Object> json = new LinkedHashMap<>();
 		json.put("name", movie.name());
 		json.put("width", movie.width());
@@ -95,7 +89,8 @@ public final class ParametersJson {
 		json.put("frames", movie.size());
 		json.put("unit", movie.calibration().unit());
 		json.put("time_unit", movie.calibration().timeUnit());
-		json.put("file", image.map(Path::toString).orElse(null));
+		json.put("file", identity.map(i -> i.movie().toString()).orElse(null));
+		json.put(RunIdentity.SHA256, identity.map(RunIdentity::sha256).orElse(null));
 		return json;
 	}
 

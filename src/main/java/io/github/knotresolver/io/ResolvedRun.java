@@ -36,7 +36,7 @@ public record ResolvedRun(String name, Optional<Path> movie, RunOptions options,
 	 */
 	public static ResolvedRun read(final Path folder) {
 		final Path json = folder.resolve(ParametersJson.FILE);
-		if (!Files.isDirectory(folder) || !ParametersJson.isOurs(json)
+		if (!Files.isDirectory(folder) || !ResultFolder.isResult(folder)
 			|| !Files.isRegularFile(folder.resolve(ContoursCsv.FILE)))
 			throw new UserException("like must be a folder that 'resolve' wrote, with "
 				+ ParametersJson.FILE + " and " + ContoursCsv.FILE + ", but is '" + folder + "'.");

@@ -1,95 +1,82 @@
-
 package io.github.knotresolver.io;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.DirectoryNotEmptyException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.util.Comparator;
+import java.util.Collection;
 import java.util.List;
-import java.util.stream.Stream;
+import java.util.Optional;
 
 import io.github.knotresolver.model.UserException;
 
 /**
  * A folder of results that is complete or absent: files are written into a
- * hidden folder beside it, which takes the wanted name at the end.
+ * hidden folder beside it, which takes the wanted name at the end. The place is
+ * reserved before the work, so that what makes it impossible is said at once,
+ * and no other run writes there meanwhile.
  *
  * <pre>
- * try (ResultFolder folder = ResultFolder.prepare(out, false)) {
+ * try (ResultFolder folder = ResultFolder.reserve(out, kind, false, List.of(movie))) {
+ * 	work();
  * 	write(folder.path());
  * 	folder.commit();
  * }
  * </pre>
  *
- * Closing without {@link #commit()} removes everything that was written.
+ * Closing without {@link #commit()} removes everything that was written. Of an
+ * earlier result only the files that this program gives such a folder are
+ * replaced, by their names ({@link ResultKind#owns}); all others stay, and so
+ * does every folder in it. What a killed run left is cleared by the next one.
  */
 public final class ResultFolder implements AutoCloseable {
 
-	private final Path target;
+	private final ResultPlace place;
+	private final ResultKind kind;
+	private final boolean overwrite;
+	private final FolderLock lock;
 	private final Path workplace;
 	private boolean committed;
 
-	private ResultFolder(final Path target, final Path workplace) {
-		this.target = target;
-		this.workplace = workplace;
+	private ResultFolder(final ResultPlace place, final ResultKind kind, final boolean overwrite,
+		final FolderLock lock) throws IOException {
+		this.place = place;
+		this.kind = kind;
+		this.overwrite = overwrite;
+		this.lock = lock;
+		this.workplace = Files.createDirectory(place.hidden().fresh(HiddenNames.PARTIAL));
 	}
 
 	/**
-	 * Checks that a result may be written, without writing anything.
+	 * Reserves a folder for writing.
 	 *
-	 * @param out the wanted folder; it may be absent or empty
-	 * @param overwrite whether an earlier result may be replaced, with all that
-	 *          is in its folder; a folder without a result never is
-	 * @throws UserException if it may not, in one sentence
-	 */
-	public static void check(final Path out, final boolean overwrite) {
-		final Path target = out.toAbsolutePath().normalize();
-		final Path parent = existingParent(target);
-		if (!Files.isDirectory(parent))
-			throw new UserException("out " + out + " cannot be written, because "
-				+ parent + " is a file; choose another folder.");
-		if (Files.exists(target))
-			checkExisting(out, target, overwrite);
-		else if (!Files.isWritable(parent))
-			throw new UserException(
-				"out " + out + " cannot be written, because the folder " + parent
-					+ " is not writable; choose another one.");
-	}
-
-	private static void checkExisting(final Path out, final Path target, final boolean overwrite) {
-		if (!Files.isDirectory(target))
-			throw new UserException(
-				"out " + out + " is a file, but the result needs a folder; choose another name.");
-		if (!Files.isWritable(target) || !Files.isWritable(target.getParent()))
-			throw new UserException(
-				"out " + out + " is a folder that is not writable; choose another one.");
-		if (isEmpty(target))
-			return;
-		if (!isResult(target))
-			throw new UserException("out " + out
-				+ " holds files that are not a result of this program; choose another one.");
-		if (!overwrite)
-			throw new UserException("out " + out
-				+ " already holds a result; choose another one, or add --force to replace it.");
-	}
-
-	/**
-	 * Opens a folder for writing.
-	 *
-	 * @param out the wanted folder; missing parents are made at the end
-	 * @param overwrite whether an earlier result may be replaced
+	 * @param out the wanted folder; it may be absent or empty, and missing parents
+	 *          are made at the end
+	 * @param kind what is to be written
+	 * @param overwrite whether an earlier result of that kind may be replaced; a
+	 *          folder that holds anything else never is
+	 * @param inputs files and folders that are read meanwhile; they are never
+	 *          replaced
 	 * @return the folder, to be committed and closed
 	 * @throws UserException if it may not be written, in one sentence
-	 * @throws IOException if the disk says no
+	 * @throws IOException if the hidden folder cannot be made
 	 */
-	public static ResultFolder prepare(final Path out, final boolean overwrite) throws IOException {
-		check(out, overwrite);
-		final Path target = Files.exists(out) ? out.toRealPath() : out.toAbsolutePath().normalize();
-		final Path workplace = hidden(existingParent(target), target, "partial");
-		return new ResultFolder(target, Files.createDirectory(workplace));
+	public static ResultFolder reserve(final Path out, final ResultKind kind,
+		final boolean overwrite, final Collection<Path> inputs) throws IOException {
+		final ResultPlace place = ResultPlace.of(out);
+		final HiddenNames hidden = place.hidden();
+		final FolderLock lock = FolderLock.acquire(hidden.lock())
+			.orElseThrow(() -> new UserException("out " + out
+				+ " is being written by another run; wait for it, or choose another folder."));
+		try {
+			Leftovers.clear(hidden, place.target());
+			place.check(kind, overwrite, inputs);
+			return new ResultFolder(place, kind, overwrite, lock);
+		} catch (final IOException | RuntimeException e) {
+			lock.close();
+			throw e;
+		}
 	}
 
 	/** @return where the files are written until {@link #commit()} */
@@ -100,76 +87,85 @@ public final class ResultFolder implements AutoCloseable {
 	/**
 	 * Gives the folder its name; an earlier result is replaced.
 	 *
-	 * @throws IOException if the disk says no; the earlier result is kept then
+	 * @throws IOException if that fails; the earlier result is kept then
 	 */
 	public void commit() throws IOException {
+		final List<String> strangers = FileTrees.names(workplace).stream()
+			.filter(n -> !kind.owns(n)).toList();
+		if (!strangers.isEmpty())
+			throw new IllegalStateException(
+				"Files of " + kind + " without an agreed name: " + strangers);
+		final Path target = place.target();
 		Files.createDirectories(target.getParent());
-		if (!Files.exists(target))
-			move(workplace, target);
+		if (!Files.exists(target) || FileTrees.names(target).isEmpty() && !isWithin())
+			moveWhole(target);
 		else
-			replace();
+			replace(target);
 		committed = true;
 	}
 
-	private void replace() throws IOException {
-		final Path old = hidden(target.getParent(), target, "old");
-		move(target, old);
+	private boolean isWithin() {
+		return place.base().equals(place.target());
+	}
+
+	/** The file system refuses to move a folder over one that has got files meanwhile. */
+	private void moveWhole(final Path target) throws IOException {
 		try {
-			move(workplace, target);
+			FileTrees.move(workplace, target);
+		} catch (final DirectoryNotEmptyException e) {
+			throw taken(e);
+		} catch (final FileSystemException e) {
+			if (!Files.isDirectory(target))
+				throw e;
+			// Some systems do not even move it over an empty one.
+			try {
+				Files.delete(target);
+			} catch (final DirectoryNotEmptyException full) {
+				throw taken(full);
+			}
+			FileTrees.move(workplace, target);
+		}
+	}
+
+	private IOException taken(final Exception cause) {
+		return new IOException(
+			"another run has written to " + place.out() + " meanwhile; choose another folder",
+			cause);
+	}
+
+	private void replace(final Path target) throws IOException {
+		final Optional<ResultKind> present = ResultKind.of(target);
+		final boolean replaceable = present.isEmpty()
+			? place.isEmpty()
+			: overwrite && present.get() == kind;
+		if (!replaceable)
+			throw taken(null);
+		if (place.isAllOurs(kind))
+			swap(target);
+		else
+			Replacement.run(workplace, place.hidden(), target, place.own(kind));
+	}
+
+	private void swap(final Path target) throws IOException {
+		final Path old = place.hidden().fresh(HiddenNames.OLD);
+		FileTrees.move(target, old);
+		try {
+			FileTrees.move(workplace, target);
 		} catch (final IOException e) {
-			move(old, target);
+			FileTrees.move(old, target);
 			throw e;
 		}
-		delete(old);
+		Leftovers.putBackForeign(old, target);
 	}
 
 	/** Removes what was written, unless it was committed. */
 	@Override
 	public void close() throws IOException {
-		if (!committed)
-			delete(workplace);
-	}
-
-	/** A name beside the target that no other run uses. */
-	private static Path hidden(final Path parent, final Path target, final String what) {
-		return parent
-			.resolve("." + target.getFileName() + "." + what + "-" + ProcessHandle.current().pid()
-				+ "-" + Long.toString(System.nanoTime(), Character.MAX_RADIX));
-	}
-
-	private static void move(final Path from, final Path to) throws IOException {
 		try {
-			Files.move(from, to, StandardCopyOption.ATOMIC_MOVE);
-		} catch (final AtomicMoveNotSupportedException e) {
-			Files.move(from, to);
-		}
-	}
-
-	private static void delete(final Path folder) throws IOException {
-		if (!Files.exists(folder))
-			return;
-		final List<Path> deepestFirst;
-		try (Stream<Path> all = Files.walk(folder)) {
-			deepestFirst = all.sorted(Comparator.reverseOrder()).toList();
-		}
-		for (final Path path : deepestFirst)
-			Files.deleteIfExists(path);
-	}
-
-	private static Path existingParent(final Path target) {
-		Path parent = target.getParent();
-		while (parent != null && !Files.exists(parent))
-			parent = parent.getParent();
-		if (parent == null)
-			throw new UserException(target + " is not a folder that can be written.");
-		return parent;
-	}
-
-	private static boolean isEmpty(final Path folder) {
-		try (Stream<Path> files = Files.list(folder)) {
-			return files.findAny().isEmpty();
-		} catch (final IOException e) {
-			throw new UncheckedIOException(e);
+			if (!committed)
+				FileTrees.delete(workplace);
+		} finally {
+			lock.close();
 		}
 	}
 
@@ -178,6 +174,6 @@ public final class ResultFolder implements AutoCloseable {
 	 * @return whether it holds a finished result
 	 */
 	public static boolean isResult(final Path folder) {
-		return ParametersJson.isOurs(folder.resolve(ParametersJson.FILE));
+		return ResultKind.of(folder).isPresent();
 	}
 }

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.SortedMap;
+import java.util.stream.Stream;
 
 import org.apache.commons.csv.CSVPrinter;
 
@@ -37,6 +38,14 @@ public final class TruthCsv {
 		} catch (final UserException e) {
 			throw new UserException(key + " cannot be used: " + e.getMessage(), e);
 		}
+	}
+
+	/**
+	 * @param given what users name: files, or folders with a {@code contours.csv}
+	 * @return all files that are read
+	 */
+	public static List<Path> files(final Path... given) {
+		return Stream.of(given).flatMap(p -> Stream.of(p, p.resolve(ContoursCsv.FILE))).toList();
 	}
 
 	/**

@@ -3,6 +3,7 @@ package io.github.knotresolver.options;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -127,5 +128,18 @@ public final class RunOptions {
 			throw new IllegalStateException(
 				"The corrections in " + corrections.get() + " have not been read.");
 		return settings(movie, Map.of());
+	}
+
+	/** @return whether the same was chosen, however it was written */
+	@Override
+	public boolean equals(final Object other) {
+		return other instanceof RunOptions o && input.equals(o.input)
+			&& settings.equals(o.settings) && length.equals(o.length)
+			&& corrections.equals(o.corrections);
+	}
+
+	@Override
+	public int hashCode() {
+		return Objects.hash(input, settings, length, corrections);
 	}
 }

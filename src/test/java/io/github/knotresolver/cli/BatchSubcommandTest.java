@@ -1,5 +1,6 @@
 package io.github.knotresolver.cli;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -12,6 +13,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Stream;
 
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -113,6 +115,108 @@ class BatchSubcommandTest {
 		assertTrue(Files.exists(out.resolve("a/contours.csv")));
 		assertFalse(Files.exists(out.resolve("b")));
 		assertEquals(2, Files.readAllLines(out.resolve("batch.csv")).size());
+	}
+
+	@Test
+	void rowIsKnownAgainByItsMovieAndNotByItsPlace() throws IOException {
+		assertEquals(0, run(sheet("FileName,FolderPath", "a.tif,in", "a.tif,in/more")));
+		assertEquals(2, resolved.get());
+		assertEquals(List.of("a", "a-2"), results());
+		assertEquals(0, run(sheet("FileName,FolderPath", "a.tif,in/more", "a.tif,in")));
+		assertEquals(2, resolved.get());
+		assertEquals(List.of("a-2", "a"), results());
+		// Another movie of the same name gets a folder of its own.
+		Files.createDirectory(home.resolve("in/third"));
+		TestImages.save(TestImages.movie(6, 8), home.resolve("in/third/a.tif"));
+		assertEquals(0, run(sheet("FileName,FolderPath", "a.tif,in/third")));
+		assertEquals(List.of("a-3"), results());
+		assertEquals(0,
+			run(sheet("FileName,FolderPath", "a.tif,in/third", "a.tif,in", "a.tif,in/more")));
+		assertEquals(List.of("a-3", "a", "a-2"), results());
+		assertEquals(3, resolved.get());
+	}
+
+	@Test
+	void otherContentsOrOptionsAreAnotherRun() throws IOException {
+		final Path sheet = sheet("FileName,FolderPath", "a.tif,in");
+		assertEquals(0, run(sheet));
+		assertEquals(0, run(sheet, "--threads", "1", "--iterations", "10", "--threshold", "OTSU"));
+		assertEquals(1, resolved.get());
+		assertEquals(1, run(sheet, "--threshold", "0.3"));
+		assertTrue(stderr.toString().contains("already holds a result"), stderr.toString());
+		assertFalse(Files.readString(out.resolve("a/parameters.json")).contains("0.3"));
+		assertEquals(0, run(sheet, "--threshold", "0.3", "--force"));
+		assertTrue(Files.readString(out.resolve("a/parameters.json")).contains("0.3"));
+		assertEquals(2, resolved.get());
+		TestImages.save(TestImages.movie(6, 8), home.resolve("in/a.tif"));
+		assertEquals(1, run(sheet, "--threshold", "0.3"));
+		assertEquals(0, run(sheet, "--threshold", "0.3", "--force"));
+		assertEquals(7, Files.readAllLines(out.resolve("a/frames.csv")).size());
+		assertEquals(List.of("a"), results());
+	}
+
+	@Test
+	void oddNamesStayInTheFolderAndStopNothing() throws IOException {
+		for (final String name : List.of("..tif", "...tif", ".tif", "batch.csv.tif", "A.tif"))
+			Files.copy(home.resolve("in/a.tif"), home.resolve("in").resolve(name));
+		final Path sheet = sheet("FileName,FolderPath", "..tif,in", "...tif,in", ".tif,in",
+			"batch.csv.tif,in", "a.tif,in", "A.tif,in", "a\0.tif,in", "/,in", ",in", "..,in");
+		assertEquals(1, run(sheet, "--no-plots"));
+		assertEquals(List.of("movie", "movie-2", "movie-3", "batch.csv-2", "a", "A-2", "", "", "",
+			""), results());
+		assertEquals(List.of("in", "out", "sheet.csv"), names(home));
+		assertEquals(List.of("A-2", "a", "batch.csv", "batch.csv-2", "movie", "movie-2", "movie-3"),
+			names(out));
+		assertTrue(stderr.toString().contains("cannot be the name of a file"), stderr.toString());
+		assertEquals(1, run(sheet, "--no-plots"));
+		assertEquals(6, resolved.get());
+	}
+
+	@Test
+	void sheetAndForeignListAreNeverOverwritten() throws IOException {
+		out = Files.createDirectory(home.resolve("out"));
+		final Path sheet = Files.write(out.resolve("batch.csv"),
+			List.of("FileName,FolderPath", "a.tif,../in"));
+		for (final String[] options : new String[][]{{}, {"--force"}}) {
+			assertEquals(2, run(sheet, options));
+			assertEquals(2, run(home.resolve("in"), options));
+		}
+		assertTrue(stderr.toString().contains("holds batch.csv, which is read"));
+		assertTrue(stderr.toString().contains("is not a list of this program"));
+		assertEquals(2, Files.readAllLines(sheet).size());
+		assertEquals(List.of("batch.csv"), names(out));
+	}
+
+	@Test
+	void movieInsideAResultFolderIsNotReplaced() throws IOException {
+		assertEquals(0, run(sheet("FileName,FolderPath", "a.tif,in")));
+		final byte[] overlay = Files.readAllBytes(out.resolve("a/overlay.tif"));
+		assertEquals(1,
+			run(sheet("FileName,FolderPath", "a.tif,in", "overlay.tif,out/a"), "--force"));
+		assertTrue(stderr.toString().contains("holds overlay.tif, which is read"),
+			stderr.toString());
+		assertArrayEquals(overlay, Files.readAllBytes(out.resolve("a/overlay.tif")));
+	}
+
+	@Test
+	void leftoversOfADeadBatchAreCleared() throws IOException {
+		final Path dead = Files.createDirectories(out.resolve(".gone.partial-1-abc"));
+		Files.writeString(dead.resolve("half.csv"), "x");
+		assertEquals(0, run(sheet("FileName,FolderPath", "a.tif,in")));
+		assertEquals(List.of("a", "batch.csv"), names(out));
+	}
+
+	/** The result column of the list. */
+	private List<String> results() throws IOException {
+		final List<String> lines = Files.readAllLines(out.resolve("batch.csv"));
+		return lines.subList(1, lines.size()).stream()
+			.map(l -> l.replaceFirst(".*,(finished|skipped|failed),([^,]*),.*", "$2")).toList();
+	}
+
+	private static List<String> names(final Path folder) throws IOException {
+		try (Stream<Path> files = Files.list(folder)) {
+			return files.map(f -> f.getFileName().toString()).sorted().toList();
+		}
 	}
 
 	private Path sheet(final String... lines) throws IOException {

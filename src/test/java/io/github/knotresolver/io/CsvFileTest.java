@@ -97,7 +97,7 @@ class CsvFileTest {
 		assertEquals("0.3", row.texts().get("threshold"));
 		assertEquals("-0.25", row.texts().get("contraction_bias"));
 		assertEquals("1-3,5", row.texts().get("frames"));
-		assertEquals("m\u00fcller.tif", row.movie().getFileName().toString());
+		assertEquals("m\u00fcller.tif", row.name());
 	}
 
 	@Test
@@ -106,11 +106,11 @@ class CsvFileTest {
 			"FileName,FolderPath\na\0b.tif,.\nc.tif,.\n");
 		final List<BatchRow> rows = BatchSheet.read(file).rows();
 		assertEquals(2, rows.size());
-		final String message = assertThrows(UserException.class, rows.get(0)::requireTryable)
+		final String message = assertThrows(UserException.class, rows.get(0)::file)
 			.getMessage();
 		assertTrue(message.contains("cannot be the name of a file"), message);
-		rows.get(1).requireTryable();
-		assertEquals("c.tif", rows.get(1).movie().getFileName().toString());
+		rows.get(1).file();
+		assertEquals("c.tif", rows.get(1).name());
 	}
 
 	@ParameterizedTest

@@ -93,7 +93,8 @@ class ResultFilesTest {
 			Map.entry("refine", "false"), Map.entry("frames", "1-3"),
 			Map.entry("ignore_frames", "2"));
 		final Tracks tracks = tracks(RunOptions.parse(texts));
-		ParametersJson.write(home.resolve("p"), tracks, InputOptions.DEFAULT, Optional.empty());
+		ParametersJson.write(home.resolve("p"), tracks, InputOptions.DEFAULT, Optional.empty(),
+			List.of());
 		final JsonObject json = JsonParser.parseString(Files.readString(home.resolve("p")))
 			.getAsJsonObject();
 		final Map<String, String> read = new TreeMap<>();

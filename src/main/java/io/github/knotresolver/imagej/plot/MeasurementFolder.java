@@ -1,6 +1,7 @@
 package io.github.knotresolver.imagej.plot;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -16,6 +17,7 @@ import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.measure.OriginalQuantities;
 import io.github.knotresolver.measure.Quantity;
 import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 /** Measurements as a folder of tables and figures, and in a few lines. */
@@ -27,38 +29,41 @@ public final class MeasurementFolder {
 	/**
 	 * @param input a result folder or a file of contours
 	 * @return the folder beside it where its measurements go if no other is named
+	 * @throws UserException if it is the root of the file system
 	 */
 	public static Path beside(final Path input) {
 		final Path path = input.toAbsolutePath().normalize();
+		if (path.getFileName() == null)
+			throw new UserException(
+				input + " is no folder that 'resolve' wrote; name one, or a file of contours.");
+		final String name = path.getFileName().toString();
 		return path.resolveSibling(
-			path.getFileName().toString().replaceFirst("\\.[^.]*$", "") + "-measured");
+			(Files.isDirectory(path) ? name : name.replaceFirst("(?<=.)\\.[^.]*$", ""))
+				+ "-measured");
 	}
 
 	/**
 	 * Writes a complete folder or nothing.
 	 *
 	 * @param m the measurements
-	 * @param out the wanted folder
-	 * @param overwrite whether earlier measurements may be replaced
+	 * @param folder the reserved folder; committed here
 	 * @param plots whether figures are drawn
 	 * @param original the contours, to be measured by the original tool's
 	 *          definitions too; null for not
 	 * @param progress may cancel; nothing is left then
 	 * @throws IOException if the disk says no
 	 */
-	public static void write(final MovieMeasurements m, final Path out, final boolean overwrite,
+	public static void write(final MovieMeasurements m, final ResultFolder folder,
 		final boolean plots, final ContourInput original, final Progress progress)
 		throws IOException {
-		try (ResultFolder folder = ResultFolder.prepare(out, overwrite)) {
-			new MeasurementTables(m).write(folder.path());
-			if (original != null)
-				OriginalStatistics.write(folder.path().resolve(OriginalFiles.STATISTICS),
-					quantities(original, m.calibration()), m.calibration(), m.frequencyUnit());
-			if (plots)
-				Figures.writeAll(folder.path(), m, progress);
-			progress.checkCancelled();
-			folder.commit();
-		}
+		new MeasurementTables(m).write(folder.path());
+		if (original != null)
+			OriginalStatistics.write(folder.path().resolve(OriginalFiles.STATISTICS),
+				quantities(original, m.calibration()), m.calibration(), m.frequencyUnit());
+		if (plots)
+			Figures.writeAll(folder.path(), m, progress);
+		progress.checkCancelled();
+		folder.commit();
 	}
 
 	private static OriginalQuantities quantities(final ContourInput input, final Calibration c) {

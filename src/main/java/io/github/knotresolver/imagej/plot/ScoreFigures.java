@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
 
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.NumberAxis;
@@ -34,10 +35,21 @@ import io.github.knotresolver.progress.Progress;
  */
 public final class ScoreFigures {
 
+	private static final String POSITION_ERROR = "position_error", DICE = "dice",
+		FRECHET = "frechet";
 	private static final double DOT = 5;
 	private static final int CURVE_POINTS = 300;
 
 	private ScoreFigures() {
+	}
+
+	/**
+	 * @param prefix what their names begin with; may be empty
+	 * @return the names of all files that {@link #write} may make
+	 */
+	public static List<String> files(final String prefix) {
+		return Stream.of(POSITION_ERROR, DICE, FRECHET)
+			.flatMap(n -> Stream.of(prefix + n + ".png", prefix + n + ".svg")).toList();
 	}
 
 	/**
@@ -52,18 +64,18 @@ public final class ScoreFigures {
 		final double[] errors) {
 		final Map<String, JFreeChart> charts = new LinkedHashMap<>();
 		if (errors.length > 0)
-			charts.put("position_error", histogram(errors));
+			charts.put(POSITION_ERROR, histogram(errors));
 		final JFreeChart dice = perFrame(movies, "Dice index", "", CurveScore::dice);
 		final NumberAxis share = (NumberAxis) dice.getXYPlot().getRangeAxis();
 		share.setRange(0, 1.02);
 		share.setTickUnit(new NumberTickUnit(0.2));
-		charts.put("dice", dice);
+		charts.put(DICE, dice);
 		final JFreeChart frechet = perFrame(movies, "Fréchet distance", "px", CurveScore::frechet);
 		final ValueMarker limit = new ValueMarker(CurveScore.RESOLVED_BELOW, ChartStyle.ACCENT,
 			new BasicStroke(1.5f));
 		frechet.getXYPlot().addRangeMarker(limit);
 		includeZero(frechet);
-		charts.put("frechet", frechet);
+		charts.put(FRECHET, frechet);
 		return charts;
 	}
 
