@@ -19,7 +19,8 @@ class ArchitectureTest {
 
 	/** The rooms, in the order in which data walks through them. */
 	private static final List<String> ROOMS = List.of("geometry", "progress", "model", "image", "mask",
-		"skeleton", "graph", "candidate", "contour", "fit", "track", "measure", "pipeline",
+		"skeleton", "graph", "candidate", "contour", "fit", "track", "paper",
+		"measure", "pipeline",
 		"simulate", "evaluate", "options", "io", "imagej", "command", "cli");
 
 	private static final JavaClasses CLASSES = new ClassFileImporter()
@@ -61,7 +62,8 @@ class ArchitectureTest {
 	@Test
 	void onlyGraphRoomsKnowJGraphT() {
 		noClasses().that()
-			.resideOutsideOfPackages(ROOT + "graph..", ROOT + "candidate..", ROOT + "track..")
+			.resideOutsideOfPackages(ROOT + "graph..", ROOT + "candidate..", ROOT + "track..",
+				ROOT + "paper..")
 			.should().dependOnClassesThat().resideInAnyPackage("org.jgrapht..").check(CLASSES);
 	}
 

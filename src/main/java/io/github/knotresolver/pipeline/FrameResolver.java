@@ -11,7 +11,6 @@ import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
 
 import io.github.knotresolver.candidate.CandidateGenerator;
-import io.github.knotresolver.candidate.PaperCandidates;
 import io.github.knotresolver.candidate.TrailCandidates;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.geometry.Point;
@@ -24,6 +23,8 @@ import io.github.knotresolver.model.LengthModel;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.ResolverMethod;
 import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.paper.PaperCandidates;
+import io.github.knotresolver.paper.PaperResolver;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.skeleton.Skeletonize;
@@ -31,7 +32,6 @@ import io.github.knotresolver.track.FitResolver;
 import io.github.knotresolver.track.FitResolver.Resolved;
 import io.github.knotresolver.track.FrameGraph;
 import io.github.knotresolver.track.FrameView;
-import io.github.knotresolver.track.GreedyResolver;
 import io.github.knotresolver.track.Resolver;
 import io.github.knotresolver.track.ResolverQuery;
 import io.github.knotresolver.track.Track;
@@ -82,7 +82,7 @@ final class FrameResolver {
 	private Track onSkeletons(final List<FrameView> frames, final Point fixedEnd) {
 		progress.report("Resolving", 0);
 		final Resolver resolver = parameters.resolver() == ResolverMethod.PAPER
-			? new GreedyResolver(generator())
+			? new PaperResolver(generator())
 			: new TrellisResolver(generator(), TrellisResolver.DEFAULT_MOTION, workers);
 		return resolver.resolve(new ResolverQuery(followed(frames, fixedEnd), fixedEnd,
 			parameters.length(), parameters.corrections()), progress);

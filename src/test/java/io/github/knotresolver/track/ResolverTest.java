@@ -14,7 +14,6 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.Drawn;
-import io.github.knotresolver.candidate.PaperCandidates;
 import io.github.knotresolver.candidate.TrailCandidates;
 import io.github.knotresolver.candidate.TrailPrices;
 import io.github.knotresolver.contour.DiscreteFrechet;
@@ -23,6 +22,8 @@ import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.paper.PaperCandidates;
+import io.github.knotresolver.paper.PaperResolver;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 
@@ -32,7 +33,7 @@ class ResolverTest {
 
 	private static final Polyline OPEN = Drawn.line(5, 60, 60, 60, 90, 40, 75, 12, 5, 8);
 
-	private static final Resolver PAPER = new GreedyResolver(PaperCandidates.DEFAULT);
+	private static final Resolver PAPER = new PaperResolver(PaperCandidates.DEFAULT);
 
 	private static final Resolver MOVIE = new TrellisResolver(TrailCandidates.DEFAULT);
 

@@ -1,9 +1,4 @@
-package io.github.knotresolver.track;
-
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Optional;
-import java.util.OptionalDouble;
+package io.github.knotresolver.paper;
 
 import io.github.knotresolver.candidate.CandidateGenerator;
 import io.github.knotresolver.candidate.CandidateQuery;
@@ -18,6 +13,16 @@ import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.track.FrameGraph;
+import io.github.knotresolver.track.Outcome;
+import io.github.knotresolver.track.Resolver;
+import io.github.knotresolver.track.ResolverQuery;
+import io.github.knotresolver.track.Track;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * The published method: from frame to frame, the candidate nearest to the last
@@ -28,7 +33,7 @@ import io.github.knotresolver.progress.Progress;
  * @param generator proposes contours of branched frames; it is given the last
  *          resolved contour as its template
  */
-public record GreedyResolver(CandidateGenerator generator) implements Resolver {
+public record PaperResolver(CandidateGenerator generator) implements Resolver {
 
 	@Override
 	public Track resolve(final ResolverQuery query, final Progress progress) {

@@ -1,4 +1,15 @@
-package io.github.knotresolver.candidate;
+package io.github.knotresolver.paper;
+
+import io.github.knotresolver.candidate.Candidate;
+import io.github.knotresolver.candidate.CandidateGenerator;
+import io.github.knotresolver.candidate.CandidateQuery;
+import io.github.knotresolver.candidate.CandidateSet;
+import io.github.knotresolver.candidate.Price;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.graph.Node;
+import io.github.knotresolver.graph.RootedGraph;
+import io.github.knotresolver.graph.Step;
+import io.github.knotresolver.progress.Progress;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -6,12 +17,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-
-import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.graph.Node;
-import io.github.knotresolver.graph.RootedGraph;
-import io.github.knotresolver.graph.Step;
-import io.github.knotresolver.progress.Progress;
 
 /**
  * The published method: paths of the digraph of branch and filament vertices from

@@ -1,4 +1,4 @@
-package io.github.knotresolver.candidate;
+package io.github.knotresolver.paper;
 
 import java.util.ArrayList;
 import java.util.Comparator;
