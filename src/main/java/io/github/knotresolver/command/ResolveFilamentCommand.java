@@ -104,9 +104,9 @@ public class ResolveFilamentCommand extends KnotCommand {
 	@Parameter(label = "Length (if known)", description = "Empty to estimate it", required = false, persist = false)
 	private String length = "";
 
-	@Parameter(label = "Length model", description = "free for a filament that grows or shrinks", choices = {
-		"constant", "free"}, required = false, persist = false)
-	private String length_model = "constant";
+	@Parameter(label = "Length model", description = "auto: the same in all frames unless the movie says otherwise; free: what each frame says", choices = {
+		"auto", "constant", "free"}, required = false, persist = false)
+	private String length_model = "auto";
 
 	@Parameter(label = "Refine (sub-pixel)", description = "Fit the filament to the image", required = false, persist = false)
 	private boolean refine = true;

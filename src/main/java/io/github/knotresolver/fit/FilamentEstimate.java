@@ -20,7 +20,16 @@ public record FilamentEstimate(LineModel model, double amplitude, double length,
 	 * @return the same with that length
 	 */
 	public FilamentEstimate withLength(final double told) {
-		return new FilamentEstimate(model, amplitude, told, Double.NaN, fixedEnd);
+		return withLength(told, Double.NaN);
+	}
+
+	/**
+	 * @param other another length in pixels
+	 * @param error its standard error
+	 * @return the same with that length
+	 */
+	public FilamentEstimate withLength(final double other, final double error) {
+		return new FilamentEstimate(model, amplitude, other, error, fixedEnd);
 	}
 
 	/**

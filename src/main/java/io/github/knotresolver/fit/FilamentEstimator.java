@@ -45,9 +45,6 @@ public final class FilamentEstimator {
 
 	private static final double FIRST_SIGMA = 1.8;
 
-	/** A fit with both ends free. */
-	private static final FitSettings FREE = new FitSettings(0.9, 0, 0, 40, 1e-5, true);
-
 	private FilamentEstimator() {
 	}
 
@@ -128,7 +125,7 @@ public final class FilamentEstimator {
 			final Example e = examples.get(i);
 			final NormalizedFrame frame = e.frame().rescaled(line.background(), line.amplitude());
 			final FilamentFitter fitter = new FilamentFitter(frame, line.model(), e.chain().links(),
-				Optional.empty(), FREE);
+				Optional.empty(), FitSettings.ENDS_FREE);
 			return new Example(e.frame(), fitter.fit(e.chain(), Optional.empty()).chain());
 		});
 	}

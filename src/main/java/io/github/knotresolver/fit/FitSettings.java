@@ -17,6 +17,17 @@ public record FitSettings(double stiffness, double clampWeight, double memory, i
 	/** Defaults for tracking. */
 	public static final FitSettings DEFAULT = new FitSettings(0.9, 3, 0.007, 25, 2e-4, false);
 
+	/** A fit with both ends and the length free: nothing but the light says where it ends. */
+	public static final FitSettings ENDS_FREE = new FitSettings(0.9, 0, 0, 40, 1e-5, true);
+
+	/**
+	 * @param price of leaving the fixed end, per square pixel
+	 * @return the same otherwise
+	 */
+	public FitSettings withClampWeight(final double price) {
+		return new FitSettings(stiffness, price, memory, iterations, tolerance, freeLength);
+	}
+
 	/**
 	 * @param free whether the length is fitted, too
 	 * @return the same otherwise

@@ -69,6 +69,14 @@ public record LineModel(Kind kind, double sigma, double power, double[] brightne
 		return new LineModel(kind, sigma, power, values);
 	}
 
+	/** @return the same line, run from its tip to its fixed end */
+	LineModel reversed() {
+		final double[] values = new double[brightness.length];
+		for (int i = 0; i < values.length; i++)
+			values[i] = brightness[brightness.length - 1 - i];
+		return withBrightness(values);
+	}
+
 	/** The brightness of each of {@code links} links, by linear interpolation. */
 	double[] brightnessOfLinks(final int links) {
 		final double[] values = new double[links];

@@ -45,6 +45,22 @@ public record NormalizedFrame(int width, int height, double[] pixels) {
 		return new NormalizedFrame(width, height, blurred);
 	}
 
+	/**
+	 * A part of the frame.
+	 *
+	 * @param left first column
+	 * @param top first row
+	 * @param columns how many, at least 1
+	 * @param rows how many, at least 1
+	 * @return that part; it must lie inside the frame
+	 */
+	NormalizedFrame window(final int left, final int top, final int columns, final int rows) {
+		final double[] part = new double[columns * rows];
+		for (int r = 0; r < rows; r++)
+			System.arraycopy(pixels, (top + r) * width + left, part, r * columns, columns);
+		return new NormalizedFrame(columns, rows, part);
+	}
+
 	/** @return the {@link PixelNoise} of the frame */
 	public double noise() {
 		return PixelNoise.of(pixels, width);

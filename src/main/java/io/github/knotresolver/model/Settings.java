@@ -100,7 +100,7 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 		private CandidateMethod candidates = CandidateMethod.TRAILS;
 		private ResolverMethod resolver = ResolverMethod.MOVIE;
 		private OptionalDouble length = OptionalDouble.empty();
-		private LengthModel lengthModel = LengthModel.CONSTANT;
+		private LengthModel lengthModel = LengthModel.AUTO;
 		private boolean refine = true;
 		private Collection<Integer> frames = new TreeSet<>();
 		private Collection<Integer> ignoreFrames = new TreeSet<>();

@@ -118,7 +118,7 @@ public final class ResolveOptions {
 
 		option("length_model", Kind.CHOICE).basic(Section.FILAMENT).oneOf(LengthModel.class)
 			.label("Length model").help("Whether the filament keeps its length")
-			.byDefault("constant")
+			.byDefault("auto")
 			.reads((d, t) -> d.settings
 				.lengthModel(OptionText.choice("length_model", t, LengthModel.class)))
 			.writes(c -> word(c.settings().lengthModel())),

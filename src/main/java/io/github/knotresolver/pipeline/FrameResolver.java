@@ -19,7 +19,6 @@ import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.mask.ObjectFollower;
 import io.github.knotresolver.model.CandidateMethod;
 import io.github.knotresolver.model.FrameStatus;
-import io.github.knotresolver.model.LengthModel;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.ResolverMethod;
 import io.github.knotresolver.model.Settings;
@@ -75,7 +74,7 @@ final class FrameResolver {
 
 	private Optional<Resolved> fitted(final CandidateGenerator proposer,
 		final List<FrameView> frames, final Point fixedEnd, final Map<Integer, Polyline> given) {
-		return new FitResolver(proposer, kinds, parameters.lengthModel() == LengthModel.FREE,
+		return new FitResolver(proposer, kinds, parameters.lengthModel(),
 			workers, progress).resolve(frames, fixedEnd, parameters.length(), given);
 	}
 
@@ -130,8 +129,11 @@ final class FrameResolver {
 	}
 
 	private static Found found(final Resolved r) {
+		final List<String> notes = new ArrayList<>(
+			List.of("Line model: " + r.estimate().model() + "."));
+		notes.addAll(r.notes());
 		return new Found(r.estimate().fixedEnd(), r.estimate().length(), r.estimate().lengthError(),
-			r.frames(), List.of("Line model: " + r.estimate().model() + "."));
+			r.frames(), notes);
 	}
 
 	private static Found found(final Point fixedEnd, final Track track) {

@@ -10,7 +10,6 @@ import io.github.knotresolver.candidate.CandidateSet;
 import io.github.knotresolver.contour.ContourBuilder;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.FilamentEstimate;
-import io.github.knotresolver.fit.FilamentEstimator;
 import io.github.knotresolver.fit.FilamentFitter;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.StartMaker;
@@ -21,10 +20,11 @@ import io.github.knotresolver.geometry.Polyline;
  * Turns the graph's candidates of a frame into fits: the cheapest are drawn and compared
  * with the picture as they are, and those that explain it best are fitted.
  *
- * @param estimate what is known about the filament
+ * @param estimate what is known about the filament in this frame
+ * @param links number of links of all chains
  * @param freeLength whether a start has the contour's own length
  */
-record FitProposals(FilamentEstimate estimate, boolean freeLength) {
+record FitProposals(FilamentEstimate estimate, int links, boolean freeLength) {
 
 	/**
 	 * A start is first fitted as a stiff filament: where strands lie side by side a skeleton
@@ -56,6 +56,6 @@ record FitProposals(FilamentEstimate estimate, boolean freeLength) {
 
 	private Chain start(final Polyline contour, final Point from) {
 		final double length = freeLength ? contour.length() : estimate.length();
-		return StartMaker.start(contour, from, FilamentEstimator.links(estimate.length()), length);
+		return StartMaker.start(contour, from, links, length);
 	}
 }

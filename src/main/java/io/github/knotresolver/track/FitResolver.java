@@ -27,6 +27,7 @@ import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.LengthModel;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
@@ -50,22 +51,22 @@ public final class FitResolver {
 
 	private final CandidateGenerator generator;
 	private final Set<LineModel.Kind> kinds;
-	private final boolean freeLength;
+	private final LengthModel lengths;
 	private final Workers workers;
 	private final Progress progress;
 
 	/**
 	 * @param generator proposes contours
 	 * @param kinds how strands may add up in this movie, at least one
-	 * @param freeLength whether the filament may grow and shrink
+	 * @param lengths whether the filament may grow and shrink
 	 * @param workers threads
 	 * @param progress told how far the work is, and asked whether to stop
 	 */
 	public FitResolver(final CandidateGenerator generator, final Set<LineModel.Kind> kinds,
-		final boolean freeLength, final Workers workers, final Progress progress) {
+		final LengthModel lengths, final Workers workers, final Progress progress) {
 		this.generator = generator;
 		this.kinds = EnumSet.copyOf(kinds);
-		this.freeLength = freeLength;
+		this.lengths = lengths;
 		this.workers = workers;
 		this.progress = progress;
 	}
@@ -75,8 +76,10 @@ public final class FitResolver {
 	 *
 	 * @param estimate line, length and fixed end
 	 * @param frames one for each frame asked for, in the same order
+	 * @param notes what a user should know, one sentence each
 	 */
-	public record Resolved(FilamentEstimate estimate, List<Observation> frames) {
+	public record Resolved(FilamentEstimate estimate, List<Observation> frames,
+		List<String> notes) {
 	}
 
 	/**
@@ -90,14 +93,33 @@ public final class FitResolver {
 	 */
 	public Optional<Resolved> resolve(final List<FrameView> frames, final Point fixedEnd,
 		final OptionalDouble length, final Map<Integer, Polyline> corrections) {
-		final List<CandidateSet> first = candidates(frames, fixedEnd, OptionalDouble.empty());
+		final AnchorPath ends = AnchorPath.follow(frames, fixedEnd, progress);
+		final List<CandidateSet> first = candidates(frames, ends::at,
+			t -> OptionalDouble.empty());
 		final StrandLight strands = StrandLight.of(frames, first);
 		final List<FrameView> steady = withoutBleaching(calmed(frames, strands), strands);
 		final List<Sighting> sightings = Sightings.choose(steady, first);
 		return sightings.isEmpty()
 			? Optional.empty()
-			: estimate(sightings, fixedEnd, length)
-				.map(e -> resolve(steady, fixedEnd, e, corrections));
+			: estimate(sightings, fixedEnd, length).map(
+				e -> resolve(steady, course(steady, first, e, ends, length), corrections));
+	}
+
+	/** Looks at the open frames to see whether the fixed end moves and the length changes. */
+	private FilamentCourse course(final List<FrameView> frames, final List<CandidateSet> sets,
+		final FilamentEstimate estimate, final AnchorPath ends, final OptionalDouble told) {
+		final OpenFrames open = OpenFrames.find(frames, light(frames, estimate), sets, estimate,
+			workers, progress);
+		final AnchorPath anchor = ends.settled(open, estimate.fixedEnd());
+		final Lengths length = Lengths.of(open, frames.size(),
+			told.isEmpty() && lengths == LengthModel.AUTO);
+		final FilamentEstimate settled = told.isPresent() ? estimate : length.settle(estimate);
+		return new FilamentCourse(settled, anchor, length.course(settled.length(), frames.size()));
+	}
+
+	private static List<NormalizedFrame> light(final List<FrameView> frames,
+		final FilamentEstimate estimate) {
+		return frames.stream().map(f -> f.light().rescaled(0, estimate.amplitude())).toList();
 	}
 
 	private static List<FrameView> withoutBleaching(final List<FrameView> frames,
@@ -132,39 +154,69 @@ public final class FitResolver {
 			.map(e -> e.fixedEnd().distanceTo(fixedEnd) > NEAR ? e.withFixedEnd(fixedEnd) : e);
 	}
 
-	private Resolved resolve(final List<FrameView> frames, final Point fixedEnd,
-		final FilamentEstimate estimate, final Map<Integer, Polyline> corrections) {
-		final List<CandidateSet> sets = candidates(frames, fixedEnd,
-			freeLength ? OptionalDouble.empty() : OptionalDouble.of(estimate.length()));
-		final List<NormalizedFrame> light = frames.stream()
-			.map(f -> f.light().rescaled(0, estimate.amplitude())).toList();
-		final List<List<Fit>> pools = pools(frames, light, estimate, sets, corrections);
-		return new Resolved(estimate,
-			new FitTrellis(frames, light, estimate, pools, sets).solve(corrections, progress));
+	private Resolved resolve(final List<FrameView> frames, final FilamentCourse course,
+		final Map<Integer, Polyline> corrections) {
+		final boolean free = lengths == LengthModel.FREE;
+		final List<CandidateSet> sets = candidates(frames, course.anchor()::at,
+			t -> free ? OptionalDouble.empty() : OptionalDouble.of(course.in(t).length()));
+		final List<NormalizedFrame> light = light(frames, course.estimate());
+		final List<List<Fit>> proposals = proposals(frames, light, course, sets, corrections);
+		final FilamentCourse settled = course.withAnchor(course.anchor().refined(proposals));
+		final List<List<Fit>> pools = pools(frames, light, settled,
+			repriced(proposals, light, settled), corrections);
+		return new Resolved(settled.estimate(),
+			new FitTrellis(frames, light, settled, pools, sets).solve(corrections, progress),
+			settled.notes(frames));
 	}
 
-	private List<CandidateSet> candidates(final List<FrameView> frames, final Point fixedEnd,
-		final OptionalDouble length) {
-		return workers.map("Proposing contours", progress, frames.size(), t -> generator
-			.generate(CandidateQuery.of(frames.get(t).graph(), fixedEnd, length), progress));
+	/** The same fits, at the price of another anchor. */
+	private List<List<Fit>> repriced(final List<List<Fit>> fits, final List<NormalizedFrame> light,
+		final FilamentCourse course) {
+		if (course.anchor().range() == 0)
+			return fits;
+		return workers.map(fits.size(), t -> {
+			final FilamentFitter fitter = fitter(t, light, course, settings());
+			return fits.get(t).stream().map(f -> fitter.price(f.chain())).toList();
+		});
+	}
+
+	private FitSettings settings() {
+		return FitSettings.DEFAULT.withFreeLength(lengths == LengthModel.FREE);
+	}
+
+	private List<CandidateSet> candidates(final List<FrameView> frames,
+		final IntFunction<Point> fixedEnds, final IntFunction<OptionalDouble> known) {
+		return workers.map("Proposing contours", progress, frames.size(),
+			t -> generator.generate(CandidateQuery.of(frames.get(t).graph(), fixedEnds.apply(t),
+				known.apply(t)), progress));
+	}
+
+	private List<List<Fit>> proposals(final List<FrameView> frames,
+		final List<NormalizedFrame> light, final FilamentCourse course,
+		final List<CandidateSet> sets, final Map<Integer, Polyline> corrections) {
+		final int links = FilamentEstimator.links(course.estimate().length());
+		final FitSettings rough = settings().roughAndStiff(FitProposals.START_STIFFNESS);
+		return workers.map("Fitting the proposals", progress, frames.size(), t -> {
+			final FilamentFitter fitter = fitter(t, light, course, settings());
+			final FitProposals proposer = new FitProposals(course.in(t), links,
+				settings().freeLength());
+			final Polyline given = corrections.get(frames.get(t).frame());
+			return given == null
+				? proposer.of(sets.get(t), fitter, fitter(t, light, course, rough))
+				: proposer.of(given, fitter);
+		});
 	}
 
 	private List<List<Fit>> pools(final List<FrameView> frames, final List<NormalizedFrame> light,
-		final FilamentEstimate estimate, final List<CandidateSet> sets,
+		final FilamentCourse course, final List<List<Fit>> proposals,
 		final Map<Integer, Polyline> corrections) {
 		final int n = frames.size();
-		final FitSettings settings = FitSettings.DEFAULT.withFreeLength(freeLength);
-		final IntFunction<FilamentFitter> fitters = t -> fitter(light.get(t), estimate, settings);
-		final FitSettings rough = settings.roughAndStiff(FitProposals.START_STIFFNESS);
-		final FitProposals proposer = new FitProposals(estimate, freeLength);
-		final List<List<Fit>> proposals = workers.map("Fitting the proposals", progress, n, t -> {
-			final Polyline given = corrections.get(frames.get(t).frame());
-			return given == null
-				? proposer.of(sets.get(t), fitters.apply(t), fitter(light.get(t), estimate, rough))
-				: proposer.of(given, fitters.apply(t));
-		});
-		final Propagation propagation = new Propagation(WIDTH, MotionPrice.learn(proposals),
-			fitters, proposals, t -> corrections.containsKey(frames.get(t).frame()), progress);
+		final Propagation propagation = new Propagation(WIDTH,
+			MotionPrice.learn(proposals, course.anchor()),
+			t -> fitter(t, light, course, settings()), proposals,
+			new Propagation.Frames(course, settings().freeLength(),
+				t -> corrections.containsKey(frames.get(t).frame())),
+			progress);
 		final List<List<List<Fit>>> walks = workers.map(2, direction -> propagation
 			.walk(IntStream.range(0, n).map(i -> direction == 0 ? i : n - 1 - i).toArray()));
 		final List<List<Fit>> pools = new ArrayList<>();
@@ -178,9 +230,10 @@ public final class FitResolver {
 		return pools;
 	}
 
-	private static FilamentFitter fitter(final NormalizedFrame light,
-		final FilamentEstimate estimate, final FitSettings settings) {
-		return new FilamentFitter(light, estimate.model(),
-			FilamentEstimator.links(estimate.length()), Optional.of(estimate.fixedEnd()), settings);
+	private static FilamentFitter fitter(final int t, final List<NormalizedFrame> light,
+		final FilamentCourse course, final FitSettings settings) {
+		return new FilamentFitter(light.get(t), course.estimate().model(),
+			FilamentEstimator.links(course.estimate().length()), Optional.of(course.anchor().at(t)),
+			settings.withClampWeight(course.anchor().weight(t)));
 	}
 }

@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Optional;
 
 import io.github.knotresolver.candidate.CandidateSet;
-import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitQuality;
 import io.github.knotresolver.fit.NormalizedFrame;
@@ -20,11 +19,11 @@ import io.github.knotresolver.progress.Progress;
  *
  * @param frames the frames
  * @param light their pixels, a strand's brightness 1
- * @param estimate line, length and fixed end
+ * @param course what is known about the filament
  * @param pools the fits of every frame
  * @param sets the candidates of every frame
  */
-record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentEstimate estimate,
+record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentCourse course,
 	List<List<Fit>> pools, List<CandidateSet> sets) {
 
 	/** Where more than this share of the contour is in the dark, there is no filament. */
@@ -36,14 +35,15 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentE
 	List<Observation> solve(final Map<Integer, Polyline> given, final Progress progress) {
 		final List<double[]> prices = pools.stream()
 			.map(p -> p.stream().mapToDouble(Fit::energy).toArray()).toList();
-		final MotionPrice motion = MotionPrice.learn(pools);
-		final TrellisPath path = Trellis.solve(prices, (t, i, u, j) -> motion
-			.between(pools.get(t).get(i).chain(), pools.get(u).get(j).chain()), progress);
+		final MotionPrice motion = MotionPrice.learn(pools, course.anchor());
+		final TrellisPath path = Trellis.solve(prices, (t, i, u, j) -> motion.between(
+			pools.get(t).get(i).chain().shifted(course.anchor().shift(t, u)),
+			pools.get(u).get(j).chain()), progress);
 		final List<Optional<FitQuality>> quality = new ArrayList<>();
 		for (int t = 0; t < pools.size(); t++)
 			quality.add(path.choice()[t] < 0
 				? Optional.empty()
-				: Optional.of(FitQuality.of(light.get(t), estimate.model(),
+				: Optional.of(FitQuality.of(light.get(t), course.estimate().model(),
 					pools.get(t).get(path.choice()[t]).chain())));
 		final FitConfidence confidence = FitConfidence.learn(quality);
 		final List<Observation> tracked = new ArrayList<>();

@@ -1,46 +1,33 @@
 package io.github.knotresolver.track;
 
-import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.Set;
-
-import net.imglib2.Cursor;
-import net.imglib2.img.Img;
-import net.imglib2.type.logic.BitType;
-
-import org.jgrapht.alg.connectivity.ConnectivityInspector;
 
 import io.github.knotresolver.candidate.Candidate;
 import io.github.knotresolver.candidate.CandidateQuery;
 import io.github.knotresolver.candidate.TrailCandidates;
 import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.graph.Node;
-import io.github.knotresolver.graph.Segment;
-import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.track.EndPaths.End;
+import io.github.knotresolver.track.EndPaths.EndPath;
 
 /**
- * Finds the clamped end without being told: a free end of the skeleton that
- * stays in place over the movie, of an object that is long and moves. Debris that
- * sticks to the filament has ends that stay, too; among such places the one wins
- * from which trails explain the skeletons most cheaply.
+ * Finds the clamped end without being told: a free end of the skeleton that moves least
+ * over the movie, of an object that is long and moves. It need not stay in one place: a
+ * stage may drift or jump. Debris that sticks to the filament has ends that stay, too;
+ * among such ends the one wins from which trails explain the skeletons most cheaply.
  */
 public final class FixedEndFinder {
 
-	/** Ends within this distance (pixels) are the same place. */
+	/** Ends within this distance (pixels) are in the same place. */
 	private static final double SAME_PLACE = 4;
 
-	/** Objects with less skeleton (pixels) are specks. */
-	private static final double SHORTEST = 15;
-
-	/** A place needs this share of the best place's votes to be looked at. */
+	/** A path needs this share of the best path's votes to be looked at. */
 	private static final double CONTENDER = 0.4;
 
-	/** Price (pixels) of a place without any votes. */
+	/** Price (pixels) of a path without any votes, and of one that is never in the same place. */
 	private static final double FEWER_VOTES = 20;
 
 	/** Price of a frame in which no trail begins at a place; of one far from the filament, at most. */
@@ -66,116 +53,68 @@ public final class FixedEndFinder {
 		this.progress = progress;
 	}
 
-	/** A free end in one frame, and how much its object looks like the filament. */
-	private record End(int frame, Point at, double vote) {
+	/**
+	 * An end that was followed.
+	 *
+	 * @param path where it was seen
+	 * @param together votes of the ends that are in the same place as its place in most frames
+	 */
+	private record Contender(EndPath path, double together) {
 	}
 
-	/** Ends of different frames at the same place. */
-	private record Place(Point at, double votes, double spread) {
-	}
-
-	/** @return the fixed end in pixels; empty if no filament was found */
+	/**
+	 * @return the fixed end in pixels, in one of the frames if it moves; empty if no filament
+	 *         was found
+	 */
 	public Optional<Point> find() {
-		final double[] covered = coverage();
-		final List<End> ends = new ArrayList<>();
-		for (int t = 0; t < frames.size(); t++)
-			addEnds(t, covered, ends);
-		final List<Place> places = places(ends);
-		if (places.size() < 2)
-			return places.stream().map(Place::at).findFirst();
-		final double most = places.get(0).votes;
-		return places.stream()
-			.min(Comparator.comparingDouble(p -> price(p) + FEWER_VOTES * (1 - p.votes / most)))
-			.map(Place::at);
+		final List<End> ends = FreeEnds.of(frames);
+		final List<EndPath> paths = EndPaths.best(ends, CONTENDERS, progress);
+		if (paths.isEmpty())
+			return Optional.empty();
+		final double most = paths.get(0).votes();
+		final List<Contender> contenders = paths.stream()
+			.filter(p -> p.votes() >= CONTENDER * most).map(FixedEndFinder::contender).toList();
+		final double stillest = contenders.stream().mapToDouble(Contender::together).max()
+			.orElse(0);
+		return contenders.stream().min(Comparator.comparingDouble(c -> price(c.path)
+			+ FEWER_VOTES * (2 - c.path.votes() / most - c.together / stillest)))
+			.map(c -> place(c.path));
 	}
 
-	/** For every pixel, the share of frames in which the mask covers it. */
-	private double[] coverage() {
-		final Img<BitType> first = frames.get(0).mask();
-		final double[] share = new double[(int) (first.dimension(0) * first.dimension(1))];
-		for (final FrameView frame : frames) {
-			final Cursor<BitType> cursor = frame.mask().cursor();
-			for (int i = 0; i < share.length; i++)
-				if (cursor.next().get())
-					share[i] += 1.0 / frames.size();
-		}
-		return share;
+	private static Contender contender(final EndPath path) {
+		double most = 0;
+		for (final End end : path.ends())
+			most = Math.max(most, together(end, path));
+		return new Contender(path, most);
 	}
 
-	private void addEnds(final int t, final double[] covered, final List<End> ends) {
-		final SkeletonGraph graph = frames.get(t).graph();
-		final ConnectivityInspector<Node, Segment> parts = new ConnectivityInspector<>(
-			graph.asGraph());
-		for (final Set<Node> part : parts.connectedSets()) {
-			final List<Segment> segments = graph.segments().stream()
-				.filter(s -> part.contains(s.source())).toList();
-			final double moving = segments.stream().mapToDouble(s -> moving(s, covered)).sum();
-			final double length = segments.stream().mapToDouble(Segment::length).sum();
-			if (length < SHORTEST)
-				continue;
-			part.stream().filter(Node::isFreeEnd).sorted(Comparator.comparingInt(Node::id))
-				.forEach(n -> ends.add(new End(t, n.position(), moving + 0.05 * length)));
-		}
+	private static double together(final End end, final EndPath path) {
+		return path.ends().stream().filter(e -> e.at().distanceTo(end.at()) <= SAME_PLACE)
+			.mapToDouble(End::vote).sum();
 	}
 
-	/** How much of a segment lies where there is no mask in most frames. */
-	private double moving(final Segment segment, final double[] covered) {
-		final int width = (int) frames.get(0).mask().dimension(0);
-		double sum = 0;
-		for (int i = 0; i < segment.curve().size(); i++) {
-			final int at = (int) Math.rint(segment.curve().y(i)) * width
-				+ (int) Math.rint(segment.curve().x(i));
-			sum += Math.max(0, 1 - covered[at]);
-		}
-		return sum / segment.curve().size() * segment.length();
+	/** Of all places along a path the one where it is in most frames. */
+	private static Point place(final EndPath path) {
+		return path.ends().stream().max(Comparator.comparingDouble(e -> together(e, path)))
+			.map(End::at).orElseThrow();
 	}
 
-	/** The places with the most votes, each frame voting once for a place. */
-	private List<Place> places(final List<End> ends) {
-		final List<Place> all = new ArrayList<>();
-		for (final End end : ends) {
-			progress.checkCancelled();
-			all.add(place(end, ends));
-		}
-		all.sort(
-			Comparator.comparingDouble(Place::votes).reversed().thenComparingDouble(Place::spread)
-				.thenComparingDouble(p -> p.at.x()).thenComparingDouble(p -> p.at.y()));
-		final List<Place> chosen = new ArrayList<>();
-		for (final Place p : all) {
-			if (chosen.size() == CONTENDERS || p.votes < CONTENDER * all.get(0).votes)
-				break;
-			if (chosen.stream().noneMatch(q -> q.at.distanceTo(p.at) < 2 * SAME_PLACE))
-				chosen.add(p);
-		}
-		return chosen;
-	}
-
-	private static Place place(final End end, final List<End> ends) {
-		final Set<Integer> voters = new HashSet<>();
-		double votes = 0, spread = 0;
-		for (final End other : ends) {
-			final double d = other.at.distanceTo(end.at);
-			if (d > SAME_PLACE || !voters.add(other.frame))
-				continue;
-			votes += other.vote;
-			spread += d * other.vote;
-		}
-		return new Place(end.at, votes, spread / votes);
-	}
-
-	/** Mean price of the best trails from a place, and of its being away from any skeleton, in a sample of frames. */
-	private double price(final Place place) {
+	/** Mean price of the best trails from an end, and of its being away from any skeleton, in a sample of frames. */
+	private double price(final EndPath path) {
+		final AnchorPath anchor = AnchorPath.along(path, frames.size());
 		double sum = 0;
 		final int tries = Math.min(FRAMES_TO_TRY, frames.size());
 		for (int i = 0; i < tries; i++) {
 			progress.checkCancelled();
-			final FrameView frame = frames.get((int) ((i + 0.5) * frames.size() / tries));
+			final int t = (int) ((i + 0.5) * frames.size() / tries);
+			final FrameView frame = frames.get(t);
 			final List<Candidate> best = TRAILS
-				.generate(CandidateQuery.of(frame.graph(), place.at, OptionalDouble.empty()),
+				.generate(
+					CandidateQuery.of(frame.graph(), anchor.at(t), OptionalDouble.empty()),
 					progress)
 				.candidates();
 			sum += best.isEmpty() ? NO_TRAIL : best.get(0).price().total();
-			sum += Math.min(NO_TRAIL, Math.max(0, frame.distance(place.at) - NEAR));
+			sum += Math.min(NO_TRAIL, Math.max(0, frame.distance(anchor.at(t)) - NEAR));
 		}
 		return sum / tries;
 	}

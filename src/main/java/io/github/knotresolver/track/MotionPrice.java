@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Fit;
@@ -34,11 +35,13 @@ record MotionPrice(double usualMotion, double usualTurn) {
 	 * Learns what is usual from the best fits of neighbouring frames, each for itself.
 	 *
 	 * @param proposals fits of every frame
+	 * @param anchor where the fixed end is; what it moves, all moves
 	 */
-	static MotionPrice learn(final List<List<Fit>> proposals) {
-		final List<Chain> best = proposals.stream()
-			.map(p -> p.stream().min(Comparator.comparingDouble(Fit::energy)))
-			.flatMap(Optional::stream).map(Fit::chain).toList();
+	static MotionPrice learn(final List<List<Fit>> proposals, final AnchorPath anchor) {
+		final List<Chain> best = IntStream.range(0, proposals.size())
+			.mapToObj(t -> proposals.get(t).stream().min(Comparator.comparingDouble(Fit::energy))
+				.map(f -> f.chain().shifted(anchor.shift(t, 0))))
+			.flatMap(Optional::stream).toList();
 		final int steps = Math.max(0, best.size() - 1);
 		final double[] motion = new double[steps], turn = new double[steps];
 		for (int t = 0; t < steps; t++) {

@@ -33,7 +33,7 @@ final class Propagation {
 	private final MotionPrice motion;
 	private final IntFunction<FilamentFitter> fitters;
 	private final List<List<Fit>> proposals;
-	private final IntPredicate given;
+	private final Frames frames;
 	private final Progress progress;
 
 	/**
@@ -41,18 +41,34 @@ final class Propagation {
 	 * @param motion price of moving between frames
 	 * @param fitters gives the fitter of a frame
 	 * @param proposals fits of the graph's candidates, by frame
-	 * @param given whether a frame's contour was given: then nothing else is tried
+	 * @param frames what is known about them
 	 * @param progress asked whether to stop
 	 */
 	Propagation(final int width, final MotionPrice motion,
 		final IntFunction<FilamentFitter> fitters, final List<List<Fit>> proposals,
-		final IntPredicate given, final Progress progress) {
+		final Frames frames, final Progress progress) {
 		this.width = width;
 		this.motion = motion;
 		this.fitters = fitters;
 		this.proposals = proposals;
-		this.given = given;
+		this.frames = frames;
 		this.progress = progress;
+	}
+
+	/**
+	 * What is known about the frames.
+	 *
+	 * @param course where the fixed end is and how long the filament is
+	 * @param freeLength whether the length is fitted
+	 * @param given whether a frame's contour was given: then nothing else is tried
+	 */
+	record Frames(FilamentCourse course, boolean freeLength, IntPredicate given) {
+
+		/** A chain of one frame where and as long as it should be in another. */
+		Chain carried(final Chain chain, final int from, final int to) {
+			final Chain moved = chain.shifted(course.anchor().shift(from, to));
+			return freeLength ? moved : moved.resized(course.in(to).length());
+		}
 	}
 
 	/** A hypothesis: a fit, where it came from, and the price of the way here. */
@@ -68,17 +84,29 @@ final class Propagation {
 	List<List<Fit>> walk(final int[] order) {
 		final List<List<Fit>> made = new ArrayList<>();
 		List<Hypothesis> beam = List.of();
+		int last = order.length == 0 ? 0 : order[0];
 		for (final int frame : order) {
 			progress.checkCancelled();
 			progress.report("Following the filament", (double) made.size() / order.length);
 			final List<Hypothesis> next = new ArrayList<>();
-			final List<Fit> fits = given.test(frame) ? List.of() : carried(frame, beam, next);
+			beam = carried(beam, last, frame);
+			last = frame;
+			final List<Fit> fits = frames.given.test(frame) ? List.of() : carried(frame, beam, next);
 			for (final Fit proposal : proposals.get(frame))
 				next.add(joined(proposal, beam));
 			beam = best(next);
 			made.add(fits);
 		}
 		return made;
+	}
+
+	/** The hypotheses as they would be if the filament moved with its anchor only. */
+	private List<Hypothesis> carried(final List<Hypothesis> beam, final int from, final int to) {
+		return beam.stream()
+			.map(h -> new Hypothesis(
+				new Fit(frames.carried(h.fit.chain(), from, to), h.fit.light(), h.fit.energy(), 0),
+				h.before.map(b -> frames.carried(b, from, to)), h.total))
+			.toList();
 	}
 
 	private List<Fit> carried(final int frame, final List<Hypothesis> beam,

@@ -102,7 +102,7 @@ class FormTest {
 		"contraction_bias=-2 | contraction_bias must be a number from -1 to 1, but is '-2'.",
 		"channel=0 | channel must be a whole number from 1 on, but is '0'.",
 		"refine=maybe | refine must be true or false, but is 'maybe'.",
-		"length_model=soft | length_model must be constant or free, but is 'soft'.",
+		"length_model=soft | length_model must be auto or constant or free, but is 'soft'.",
 		"image=[no such] | image must be the title of an open image, but is 'no such'.",
 		"threshold | threshold needs a value, such as threshold=[otsu]; it must be text.",
 		"force force | The key 'force' is there twice; name it once.",

@@ -117,7 +117,7 @@ class RunOptionsTest {
 		"log_size|9|log_size and log_sigma go together, but only log_size was given.",
 		"candidates|all|candidates must be paper or trails, but is 'all'.",
 		"length|0|length must be above 0, but is '0'.",
-		"length_model|elastic|length_model must be constant or free, but is 'elastic'.",
+		"length_model|elastic|length_model must be auto or constant or free, but is 'elastic'.",
 		"refine|maybe|refine must be true or false, but is 'maybe'.",
 		"channel|0|channel must be a whole number from 1 on, but is '0'.",
 		"frames|0-3|frames must be frames counted from 1, such as 1-40,45, but is '0-3'.",

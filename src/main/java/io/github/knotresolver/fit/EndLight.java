@@ -1,0 +1,186 @@
+package io.github.knotresolver.fit;
+
+import java.util.ArrayList;
+import java.util.List;
+
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+
+/**
+ * The light beyond an end of a chain and before it. A piece of line, a few widths long, is
+ * laid straight on at the end, or bent to either side, and compared with what the chain
+ * leaves unexplained there: least squares give the piece's brightness and how sure it is. A
+ * piece that is bright belongs to the filament, and a last piece that is dark does not.
+ *
+ * @param frame the frame, a strand's brightness 1
+ * @param model what a line looks like
+ * @param noise standard deviation of a pixel's noise in strands' brightnesses, above 0
+ */
+public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
+
+	/** Length of a piece in line widths (sigma). */
+	private static final double PIECE = 3;
+
+	/** Headings that are tried, relative to the end's, in radians. */
+	private static final double[] TURNS = {0, 0.3, -0.3, 0.6, -0.6, 0.9, -0.9};
+
+	/** A piece is there if it is brighter than so many standard errors of its brightness ... */
+	private static final double SURE = 5;
+
+	/** ... and than this part of the end's brightness. */
+	private static final double BRIGHT = 0.3;
+
+	/** A last piece with less than this part of its brightness is dark. */
+	private static final double DARK = 0.25;
+
+	/** No end moves by more than so many pieces. */
+	private static final int MOST_PIECES = 60;
+
+	/** The direction of an end is taken over so many links. */
+	private static final int END_LINKS = 2;
+
+	/** Noise below this cannot be told from errors of the model. */
+	private static final double LEAST_NOISE = 0.03;
+
+	public EndLight {
+		noise = Math.max(LEAST_NOISE, noise);
+	}
+
+	/**
+	 * The light of a piece.
+	 *
+	 * @param brightness relative to the end's; 0 where there is no filament
+	 * @param sureness brightness in its standard errors; 0 where nothing can be seen
+	 * @param angle heading of the piece in radians
+	 */
+	public record Piece(double brightness, double sureness, double angle) {
+
+		/** @return whether the filament goes on here */
+		public boolean isThere() {
+			return sureness > SURE && brightness > BRIGHT;
+		}
+	}
+
+	/** @return length of a piece in pixels */
+	public double piece() {
+		return Math.max(3, PIECE * model.sigma());
+	}
+
+	/**
+	 * @param chain a chain
+	 * @return the surest piece beyond its tip
+	 */
+	public Piece beyondTip(final Chain chain) {
+		final Point tip = chain.tip();
+		final double heading = chain.angle(Math.max(0, chain.links() - END_LINKS));
+		Piece best = new Piece(0, 0, heading);
+		final Window window = new Window(tip, chain);
+		for (final double turn : TURNS) {
+			final Piece piece = window.piece(tip, heading + turn);
+			if (piece.sureness * Math.cos(turn / 2) > best.sureness)
+				best = piece;
+		}
+		return best;
+	}
+
+	/**
+	 * @param chain a chain
+	 * @return the last piece of the chain as it is, its brightness relative to what is
+	 *         expected; sureness 0 if it cannot be seen
+	 */
+	public Piece beforeTip(final Chain chain) {
+		final double length = chain.length(), piece = Math.min(piece(), length / 4);
+		final Chain shorter = chain.resized(length - piece);
+		final Window window = new Window(shorter.tip(), shorter);
+		return window.piece(shorter.tip(), chain.angle(chain.links() - 1));
+	}
+
+	/**
+	 * A chain whose ends are both ends of light.
+	 *
+	 * @param chain a chain near the filament, whose ends may be too early or too late
+	 * @return the chain, grown where the light goes on and cut where there is none
+	 */
+	public Chain settled(final Chain chain) {
+		final EndLight back = new EndLight(frame, model.reversed(), noise);
+		return back.settledTip(settledTip(chain).reversed()).reversed();
+	}
+
+	private Chain settledTip(final Chain chain) {
+		Chain grown = chain;
+		for (int i = 0; i < MOST_PIECES; i++) {
+			final Piece piece = beyondTip(grown);
+			if (!piece.isThere())
+				break;
+			grown = longer(grown, piece.angle);
+		}
+		if (grown == chain)
+			for (int i = 0; i < MOST_PIECES && grown.length() > 4 * piece(); i++) {
+				final Piece last = beforeTip(grown);
+				if (last.sureness == 0 && last.brightness == 0 || last.brightness > DARK)
+					break;
+				grown = grown.resized(grown.length() - piece());
+			}
+		return grown;
+	}
+
+	private Chain longer(final Chain chain, final double angle) {
+		final Polyline nodes = chain.polyline();
+		final List<Point> points = new ArrayList<>();
+		for (int i = 0; i < nodes.size(); i++)
+			points.add(nodes.point(i));
+		final Point tip = nodes.last();
+		points.add(new Point(tip.x() + piece() * Math.cos(angle),
+			tip.y() + piece() * Math.sin(angle)));
+		return Chain.along(Polyline.of(points), chain.links(), chain.length() + piece());
+	}
+
+	/** The pixels around an end. */
+	private final class Window {
+
+		private final int left;
+		private final int top;
+		private final NormalizedFrame part;
+		private final double[] drawn;
+		private final double expected;
+
+		Window(final Point end, final Chain chain) {
+			final int reach = (int) Math.ceil(EndLight.this.piece() + model.reach() + 1);
+			left = inside(end.x() - reach, frame.width());
+			top = inside(end.y() - reach, frame.height());
+			final int right = inside(end.x() + reach, frame.width());
+			final int bottom = inside(end.y() + reach, frame.height());
+			part = frame.window(left, top, right - left + 1, bottom - top + 1);
+			drawn = Neighbourhood.draw(part, model, chain.shifted(new Point(-left, -top)));
+			final double[] brightness = model.brightnessOfLinks(chain.links());
+			expected = brightness[brightness.length - 1];
+		}
+
+		private int inside(final double at, final int size) {
+			return (int) Math.max(0, Math.min(size - 1, Math.rint(at)));
+		}
+
+		/** The light of a straight piece that begins at a place. */
+		Piece piece(final Point from, final double angle) {
+			final double length = EndLight.this.piece();
+			final Polyline line = Polyline.of(List.of(new Point(from.x() - left, from.y() - top),
+				new Point(from.x() - left + length * Math.cos(angle),
+					from.y() - top + length * Math.sin(angle))));
+			final double[] picture = Neighbourhood.draw(part,
+				LineModel.uniform(model.kind(), model.sigma(), model.power()),
+				Chain.along(line, 2, length));
+			double light = 0, norm = 0;
+			for (int i = 0; i < picture.length; i++) {
+				final double own = model.kind() == LineModel.Kind.ADDITIVE
+					? picture[i]
+					: Math.max(0, picture[i] - drawn[i]);
+				light += own * (part.pixels()[i] - drawn[i]);
+				norm += own * own;
+			}
+			// Less than a fifth of the piece inside the frame, or not hidden, says nothing.
+			return norm < 0.2 * length * model.sigma()
+				? new Piece(0, 0, angle)
+				: new Piece(light / norm / expected, light / (noise * Math.sqrt(norm)), angle);
+		}
+	}
+}

@@ -1,0 +1,227 @@
+package io.github.knotresolver.track;
+
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+
+import io.github.knotresolver.fit.Fit;
+import io.github.knotresolver.fit.FitSettings;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.track.EndPaths.End;
+import io.github.knotresolver.track.EndPaths.EndPath;
+import io.github.knotresolver.track.OpenFrames.Seen;
+
+/**
+ * Where the clamped end is in every frame, and how strongly it is held there. A clamp that
+ * stays has one place; one that drifts, jitters or jumps with the stage has a place in each
+ * frame.
+ *
+ * @param places in pixels, by index of the frame, at least one
+ * @param weights price of leaving the place, per square pixel, by index of the frame
+ */
+record AnchorPath(List<Point> places, double[] weights) {
+
+	/** Weight of a place that is known. */
+	private static final double STRONGEST = FitSettings.DEFAULT.clampWeight();
+
+	/** A skeleton's end this near (pixels) to a place that was told is the end that is meant. */
+	private static final double NEAR = 8;
+
+	/** Light says of so many frames at least where the end is, or the skeletons do. */
+	private static final int FEWEST = 5;
+
+	/** A skeleton ends about so much (pixels) before the filament does. */
+	private static final double HIDDEN = 2;
+
+	/** An end that stays is seen within this distance (pixels) in half of the frames ... */
+	private static final double SPREAD = 0.7, ROUGH_SPREAD = 3;
+
+	/** ... and within twice of that in this share of them. */
+	private static final double FAR_SHARE = 0.9;
+
+	/** Standard deviations (pixels) of an end as a fit of an open frame, any fit
+	 * and a skeleton say. */
+	private static final double LIGHT_NOISE = 0.3, FIT_NOISE = 0.5,
+		SKELETON_NOISE = 1.5;
+
+	AnchorPath {
+		places = List.copyOf(places);
+		if (places.isEmpty() || weights.length != places.size())
+			throw new IllegalArgumentException("There are " + places.size() + " places and "
+				+ weights.length + " weights; there must be one of each for every frame.");
+	}
+
+	/** A clamp that stays. */
+	static AnchorPath still(final Point place, final int frames) {
+		final double[] weights = new double[frames];
+		Arrays.fill(weights, STRONGEST);
+		return new AnchorPath(Collections.nCopies(frames, place), weights);
+	}
+
+	/** The places along a path of ends, linear in between, the first and last beyond it. */
+	static AnchorPath along(final EndPath path, final int frames) {
+		return along(path, frames, 0);
+	}
+
+	/** The same, so many pixels farther out than the ends. */
+	private static AnchorPath along(final EndPath path, final int frames, final double beyond) {
+		final List<End> ends = path.ends().stream()
+			.map(e -> new End(e.frame(), e.beyond(beyond), e.outward(), e.vote())).toList();
+		final Point[] places = new Point[frames];
+		int next = 0;
+		for (int t = 0; t < frames; t++) {
+			while (next < ends.size() && ends.get(next).frame() < t)
+				next++;
+			places[t] = next == 0
+				? ends.get(0).at()
+				: next == ends.size()
+					? ends.get(next - 1).at()
+					: between(ends.get(next - 1), ends.get(next), t);
+		}
+		return new AnchorPath(List.of(places), new double[frames]);
+	}
+
+	private static Point between(final End before, final End after, final int t) {
+		final double part = (double) (t - before.frame()) / (after.frame() - before.frame());
+		return new Point(before.at().x() + part * (after.at().x() - before.at().x()),
+			before.at().y() + part * (after.at().y() - before.at().y()));
+	}
+
+	/**
+	 * Follows the free end of the skeletons that is near a place in some frame.
+	 *
+	 * @param frames the movie
+	 * @param place in pixels
+	 * @param progress asked whether to stop
+	 * @return the place in every frame; the same in all if there is no free end near it
+	 */
+	static AnchorPath follow(final List<FrameView> frames, final Point place,
+		final Progress progress) {
+		return EndPaths.past(FreeEnds.of(frames), place, NEAR, progress)
+			.map(path -> along(path, frames.size(), HIDDEN))
+			.orElseGet(() -> still(place, frames.size()));
+	}
+
+	/**
+	 * Settles where the end is from what the light says in open frames. If it stays in one
+	 * place in all of them, that is its place, and a strong clamp. Otherwise its place is a
+	 * random walk through what the light says, the skeletons' ends in other frames, and it is
+	 * held the less, the less its place is known.
+	 *
+	 * @param open fits of open frames
+	 * @param middle the place from the clearest frames, in pixels
+	 * @return the path; this one is that of the skeletons' ends
+	 */
+	AnchorPath settled(final OpenFrames open, final Point middle) {
+		final List<Seen> seen = open.withFixedEnd();
+		return moves(seen) ? walk(seen) : still(middle, places.size());
+	}
+
+	private boolean moves(final List<Seen> seen) {
+		if (seen.size() < FEWEST)
+			return moves(places, ROUGH_SPREAD);
+		return moves(seen.stream().map(s -> s.chain().start()).toList(), SPREAD);
+	}
+
+	/** Whether places, in order of time, are more than a few wrong ones around one place. */
+	private static boolean moves(final List<Point> all, final double spread) {
+		final Point middle = middle(all);
+		final double[] off = all.stream().mapToDouble(p -> p.distanceTo(middle)).sorted()
+			.toArray();
+		return off[off.length / 2] > spread || off[(int) (FAR_SHARE * (off.length - 1))] > 2 * spread;
+	}
+
+	private static Point middle(final List<Point> all) {
+		return new Point(median(all.stream().mapToDouble(Point::x).toArray()),
+			median(all.stream().mapToDouble(Point::y).toArray()));
+	}
+
+	private static double median(final double[] values) {
+		Arrays.sort(values);
+		return values[values.length / 2];
+	}
+
+	private AnchorPath walk(final List<Seen> seen) {
+		final int n = places.size();
+		final double[] x = new double[n], y = new double[n], noise = new double[n];
+		final Point offset = offset(seen);
+		for (int t = 0; t < n; t++) {
+			x[t] = places.get(t).x() + offset.x();
+			y[t] = places.get(t).y() + offset.y();
+			noise[t] = SKELETON_NOISE;
+		}
+		for (final Seen s : seen) {
+			x[s.index()] = s.chain().start().x();
+			y[s.index()] = s.chain().start().y();
+			noise[s.index()] = LIGHT_NOISE;
+		}
+		return walk(x, y, noise);
+	}
+
+	private static AnchorPath walk(final double[] x, final double[] y, final double[] noise) {
+		final int n = x.length;
+		final RandomWalk walkX = RandomWalk.through(x, noise), walkY = RandomWalk.through(y, noise);
+		final Point[] walk = new Point[n];
+		final double[] weight = new double[n];
+		for (int t = 0; t < n; t++) {
+			walk[t] = new Point(walkX.mean()[t], walkY.mean()[t]);
+			final double variance = 0.5
+				* (walkX.sd()[t] * walkX.sd()[t] + walkY.sd()[t] * walkY.sd()[t]);
+			weight[t] = 1 / (1 / STRONGEST + 2 * variance);
+		}
+		return new AnchorPath(List.of(walk), weight);
+	}
+
+	/** How far the light begins from where the skeleton does, usually. */
+	private Point offset(final List<Seen> seen) {
+		return seen.isEmpty()
+			? new Point(0, 0)
+			: middle(seen.stream().map(s -> new Point(s.chain().start().x() - at(s.index()).x(),
+				s.chain().start().y() - at(s.index()).y())).toList());
+	}
+
+	/** Largest distance of a place from that in another frame, in pixels. */
+	double range() {
+		double range = 0;
+		for (final Point p : places)
+			range = Math.max(range, p.distanceTo(places.get(0)));
+		return range;
+	}
+
+	/**
+	 * The same, settled once more by fits. An anchor that stays is what it is.
+	 *
+	 * @param fits of every frame
+	 */
+	AnchorPath refined(final List<List<Fit>> fits) {
+		if (range() == 0)
+			return this;
+		final int n = places.size();
+		final double[] x = new double[n], y = new double[n], noise = new double[n];
+		for (int t = 0; t < n; t++) {
+			final Optional<Point> seen = fits.get(t).stream()
+				.min(Comparator.comparingDouble(Fit::energy)).map(f -> f.chain().start());
+			x[t] = seen.orElse(at(t)).x();
+			y[t] = seen.orElse(at(t)).y();
+			noise[t] = seen.isPresent() ? FIT_NOISE : SKELETON_NOISE;
+		}
+		return walk(x, y, noise);
+	}
+
+	Point at(final int t) {
+		return places.get(t);
+	}
+
+	double weight(final int t) {
+		return weights[t];
+	}
+
+	/** How far the anchor moves from one frame to another. */
+	Point shift(final int from, final int to) {
+		final Point a = places.get(from), b = places.get(to);
+		return new Point(b.x() - a.x(), b.y() - a.y());
+	}
+}

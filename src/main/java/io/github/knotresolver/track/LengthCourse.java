@@ -1,0 +1,207 @@
+package io.github.knotresolver.track;
+
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+
+/**
+ * How long the filament is in every frame: the same in all, growing or shrinking steadily,
+ * broken at one frame, both, or wandering. What is known are lengths in some frames; of the
+ * courses through them that one is taken whose misfit, robust, and number of parameters
+ * together are least, as in Schwarz's criterion (doi:10.1214/aos/1176344136); a change must
+ * be worth its parameters and be visible.
+ *
+ * @param lengths in pixels by index of the frame
+ * @param kind which course it is
+ * @param at index of the first frame after a break; 0 if there is none
+ */
+record LengthCourse(double[] lengths, Kind kind, int at) {
+
+	/** The kinds of courses. */
+	enum Kind {
+		CONSTANT, STEADY, BROKEN, STEADY_AND_BROKEN, WANDERING
+	}
+
+	/** So few lengths say nothing about a change. */
+	private static final int FEWEST = 6;
+
+	/** To both sides of a break. */
+	private static final int FEWEST_BESIDE = 3;
+
+	/** Errors of lengths are at least this large (relative). */
+	private static final double LEAST_ERROR = 0.006;
+
+	/** A change over the movie of less than this (relative) is none. */
+	private static final double VISIBLE = 0.025;
+
+	/** What is farther off in standard deviations is wrong, however far. */
+	private static final double OUTLIER = 3;
+
+	/** Price of a parameter in units of ln(number of lengths). */
+	private static final double PARAMETER = 1.5;
+
+	/** A wandering length has a parameter for so many frames. */
+	private static final double WANDERING_FRAMES = 5;
+
+	private static final double MAD_TO_SD = 1.4826;
+
+	/** The same length in all frames. */
+	static LengthCourse constant(final double length, final int frames) {
+		final double[] lengths = new double[frames];
+		Arrays.fill(lengths, length);
+		return new LengthCourse(lengths, Kind.CONSTANT, 0);
+	}
+
+	/**
+	 * Chooses a course.
+	 *
+	 * @param seen index of each frame in which the length is known, in order
+	 * @param known those lengths in pixels
+	 * @param frames number of frames
+	 * @return the course; empty if there are too few lengths, or they say that the length is
+	 *         constant
+	 */
+	static Optional<LengthCourse> changing(final int[] seen, final double[] known,
+		final int frames) {
+		if (known.length < FEWEST)
+			return Optional.empty();
+		final Search search = new Search(seen, known, frames);
+		return search.best().filter(c -> c.kind != Kind.CONSTANT && c.isVisible());
+	}
+
+	private boolean isVisible() {
+		final double[] sorted = lengths.clone();
+		Arrays.sort(sorted);
+		return sorted[sorted.length - 1] / sorted[0] - 1 > VISIBLE;
+	}
+
+	/** Length in a frame in pixels. */
+	double of(final int index) {
+		return lengths[index];
+	}
+
+	/** Change of the length per frame in pixels, away from a break. */
+	double rate() {
+		final int n = lengths.length;
+		if (n < 2)
+			return 0;
+		final double whole = lengths[n - 1] - lengths[0];
+		final double jump = at == 0 ? 0 : lengths[at] - lengths[at - 1];
+		return (whole - jump) / (n - 1 - (at == 0 ? 0 : 1));
+	}
+
+	/** Tries all courses. */
+	private static final class Search {
+
+		private final int[] seen;
+		private final double[] known;
+		private final int frames;
+		private final double error;
+
+		Search(final int[] seen, final double[] known, final int frames) {
+			this.seen = seen;
+			this.known = known;
+			this.frames = frames;
+			error = Math.max(LEAST_ERROR * median(known), noise());
+		}
+
+		/** Standard deviation of a length from the mean of its neighbours in time. */
+		private double noise() {
+			final double[] off = IntStream.range(1, known.length - 1)
+				.mapToDouble(i -> Math.abs(known[i] - 0.5 * (known[i - 1] + known[i + 1])))
+				.toArray();
+			return MAD_TO_SD * median(off) / Math.sqrt(1.5);
+		}
+
+		Optional<LengthCourse> best() {
+			final Stream<LengthCourse> broken = IntStream
+				.rangeClosed(FEWEST_BESIDE, known.length - FEWEST_BESIDE).boxed()
+				.flatMap(k -> Stream.of(broken(k, false), broken(k, true)));
+			return Stream
+				.concat(Stream.of(constant(median(known), frames), steady(), wandering()), broken)
+				.min(Comparator.comparingDouble(this::price));
+		}
+
+		private double price(final LengthCourse course) {
+			double sum = 0;
+			for (int i = 0; i < known.length; i++) {
+				final double off = Math.min(OUTLIER,
+					Math.abs(known[i] - course.lengths[seen[i]]) / error);
+				sum += 0.5 * off * off;
+			}
+			return sum + PARAMETER * Math.log(known.length) * parameters(course.kind);
+		}
+
+		private double parameters(final Kind kind) {
+			return switch (kind) {
+				case CONSTANT -> 1;
+				case STEADY -> 2;
+				case BROKEN -> 3;
+				case STEADY_AND_BROKEN -> 5;
+				case WANDERING -> 6 + frames / WANDERING_FRAMES;
+			};
+		}
+
+		private LengthCourse steady() {
+			return new LengthCourse(fill(new double[frames], 0, frames, line(0, known.length)),
+				Kind.STEADY, 0);
+		}
+
+		private LengthCourse broken(final int first, final boolean steady) {
+			final int at = (seen[first - 1] + seen[first] + 1) / 2;
+			final double[] before = steady
+				? line(0, first)
+				: new double[]{median(Arrays.copyOfRange(known, 0, first)), 0};
+			final double[] after = steady
+				? line(first, known.length)
+				: new double[]{median(Arrays.copyOfRange(known, first, known.length)), 0};
+			final double[] lengths = new double[frames];
+			fill(lengths, 0, at, before);
+			fill(lengths, at, frames, after);
+			return new LengthCourse(lengths, steady ? Kind.STEADY_AND_BROKEN : Kind.BROKEN, at);
+		}
+
+		private LengthCourse wandering() {
+			final double[] all = new double[frames];
+			Arrays.fill(all, Double.NaN);
+			for (int i = 0; i < known.length; i++)
+				all[seen[i]] = known[i];
+			final double[] errors = new double[frames];
+			Arrays.fill(errors, error);
+			return new LengthCourse(RandomWalk.through(all, errors).mean(), Kind.WANDERING, 0);
+		}
+
+		/** Value at frame 0 and slope, by medians (Theil and Sen). */
+		private double[] line(final int from, final int to) {
+			final int n = to - from;
+			final double[] slopes = new double[n * (n - 1) / 2];
+			int count = 0;
+			for (int i = from; i < to; i++)
+				for (int j = i + 1; j < to; j++)
+					slopes[count++] = (known[j] - known[i]) / (seen[j] - seen[i]);
+			final double slope = count == 0 ? 0 : median(slopes);
+			return new double[]{median(
+				IntStream.range(from, to).mapToDouble(i -> known[i] - slope * seen[i]).toArray()),
+				slope};
+		}
+
+		/** Lengths never fall below a tenth of the least that was seen. */
+		private double[] fill(final double[] lengths, final int from, final int to,
+			final double[] line) {
+			final double least = 0.1 * Arrays.stream(known).min().orElse(1);
+			for (int t = from; t < to; t++)
+				lengths[t] = Math.max(least, line[0] + line[1] * t);
+			return lengths;
+		}
+
+		private static double median(final double[] values) {
+			final double[] sorted = values.clone();
+			Arrays.sort(sorted);
+			final int n = sorted.length;
+			return n == 0 ? 0 : 0.5 * (sorted[(n - 1) / 2] + sorted[n / 2]);
+		}
+	}
+}

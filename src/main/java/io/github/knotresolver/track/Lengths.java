@@ -1,0 +1,74 @@
+package io.github.knotresolver.track;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+import io.github.knotresolver.fit.FilamentEstimate;
+import io.github.knotresolver.track.OpenFrames.Seen;
+
+/**
+ * What open frames say about the filament's length. A frame in which an end is outside the
+ * picture says only that the filament is at least as long as what is seen.
+ *
+ * @param whole lengths where both ends are in the picture, in order of time
+ * @param longestCut longest piece that is seen where one is not; 0 if there is no such frame
+ * @param cutShare share of the open frames in which an end is outside
+ * @param changing the course of a length that changes
+ */
+record Lengths(double[] whole, double longestCut, double cutShare,
+	Optional<LengthCourse> changing) {
+
+	/** So many whole frames say how long the filament is. */
+	private static final int FEWEST = 3;
+
+	/** With fewer frames cut than this, the estimate from the clearest frames holds. */
+	private static final double FEW = 0.1;
+
+	/** What agrees within this (relative) with the median is used. */
+	private static final double OUTLIER = 0.06;
+
+	/** Standard error of a median of n values: so many MADs over the root of n. */
+	private static final double MEDIAN_ERROR = 1.4826 * 1.2533;
+
+	static Lengths of(final OpenFrames open, final int frames, final boolean mayChange) {
+		final List<Seen> seen = open.whole();
+		final double[] whole = seen.stream().mapToDouble(s -> s.chain().length()).toArray();
+		final double cut = open.seen().stream().filter(s -> !s.isWhole())
+			.mapToDouble(s -> s.chain().length()).max().orElse(0);
+		return new Lengths(whole, cut,
+			open.seen().isEmpty() ? 0 : 1 - (double) whole.length / open.seen().size(),
+			mayChange
+				? LengthCourse.changing(seen.stream().mapToInt(Seen::index).toArray(), whole,
+					frames)
+				: Optional.empty());
+	}
+
+	/** The course of the length, if it does not change, of a given length. */
+	LengthCourse course(final double length, final int frames) {
+		return changing.orElseGet(() -> LengthCourse.constant(length, frames));
+	}
+
+	/** An estimate with the longest length that the filament has. */
+	FilamentEstimate settle(final FilamentEstimate estimate) {
+		if (changing.isPresent())
+			return estimate
+				.withLength(Arrays.stream(changing.get().lengths()).max().orElse(estimate.length()));
+		if (cutShare <= FEW)
+			return estimate;
+		if (whole.length < FEWEST)
+			return estimate.withLength(Math.max(estimate.length(), longestCut));
+		final double middle = median(whole);
+		final double[] good = Arrays.stream(whole)
+			.filter(l -> Math.abs(l / middle - 1) < OUTLIER).toArray();
+		final double length = median(good);
+		final double spread = median(Arrays.stream(good).map(l -> Math.abs(l - length)).toArray());
+		return estimate.withLength(length, MEDIAN_ERROR * spread / Math.sqrt(good.length));
+	}
+
+	private static double median(final double[] values) {
+		final double[] sorted = values.clone();
+		Arrays.sort(sorted);
+		return 0.5 * (sorted[(sorted.length - 1) / 2] + sorted[sorted.length / 2]);
+	}
+}

@@ -1,0 +1,120 @@
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+
+import io.github.knotresolver.candidate.Candidate;
+import io.github.knotresolver.candidate.CandidateSet;
+import io.github.knotresolver.contour.ContourBuilder;
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.EndLight;
+import io.github.knotresolver.fit.FilamentEstimate;
+import io.github.knotresolver.fit.FilamentEstimator;
+import io.github.knotresolver.fit.FilamentFitter;
+import io.github.knotresolver.fit.FitQuality;
+import io.github.knotresolver.fit.FitSettings;
+import io.github.knotresolver.fit.NormalizedFrame;
+import io.github.knotresolver.geometry.Crossings;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
+
+/**
+ * The frames in which the filament lies open: one trail from a free end to a free end
+ * explains all of its object and does not cross itself. There, a fit with both ends free
+ * says where the clamp is and how long the filament is.
+ *
+ * @param seen the fits, in order of time
+ */
+record OpenFrames(List<Seen> seen) {
+
+	/** So much skeleton (pixels) may be left out or walked twice. */
+	private static final double LEFT_OUT = 6, TWICE = 1;
+
+	/** A fit whose length differs more (relative) from its trail's has gone astray. */
+	private static final double ASTRAY = 0.5;
+
+	/** A fit that runs in the dark for a larger share is none. */
+	private static final double DARK = 0.15;
+
+	/**
+	 * An open filament.
+	 *
+	 * @param index of the frame
+	 * @param chain as fitted
+	 * @param fixedEndSeen whether its fixed end is in the picture
+	 * @param tipSeen whether its tip is
+	 */
+	record Seen(int index, Chain chain, boolean fixedEndSeen, boolean tipSeen) {
+
+		boolean isWhole() {
+			return fixedEndSeen && tipSeen;
+		}
+	}
+
+	/**
+	 * Fits the open frames.
+	 *
+	 * @param frames the movie
+	 * @param light their pixels, a strand's brightness 1
+	 * @param sets the trails of each frame
+	 * @param estimate what the filament looks like
+	 * @param workers threads
+	 * @param progress asked whether to stop
+	 */
+	static OpenFrames find(final List<FrameView> frames, final List<NormalizedFrame> light,
+		final List<CandidateSet> sets, final FilamentEstimate estimate, final Workers workers,
+		final Progress progress) {
+		final List<Optional<Seen>> seen = workers.map("Looking at open frames", progress,
+			frames.size(), t -> sets.get(t).candidates().stream().findFirst()
+				.filter(OpenFrames::isOpen).flatMap(c -> fitted(t, frames, light, c, estimate)));
+		return new OpenFrames(seen.stream().flatMap(Optional::stream).filter(Objects::nonNull)
+			.toList());
+	}
+
+	private static boolean isOpen(final Candidate best) {
+		return best.price().uncovered() <= LEFT_OUT && best.price().overlap() <= TWICE
+			&& !best.endsInside() && best.steps().get(0).from().isFreeEnd()
+			&& best.steps().get(best.steps().size() - 1).to().isFreeEnd();
+	}
+
+	private static Optional<Seen> fitted(final int t, final List<FrameView> frames,
+		final List<NormalizedFrame> light, final Candidate best, final FilamentEstimate estimate) {
+		final Polyline contour = ContourBuilder.smooth(best);
+		if (contour.size() < 2 || contour.length() < 4 * estimate.model().sigma()
+			|| !Crossings.of(contour).isEmpty())
+			return Optional.empty();
+		final NormalizedFrame frame = light.get(t);
+		final int links = FilamentEstimator.links(estimate.length());
+		final FilamentFitter fitter = new FilamentFitter(frame, estimate.model(), links,
+			Optional.empty(), FitSettings.ENDS_FREE);
+		final EndLight ends = new EndLight(frame, estimate.model(), frame.noise());
+		final Chain first = fitter
+			.fit(Chain.along(contour, links, contour.length()), Optional.empty()).chain();
+		final Chain settled = ends.settled(first);
+		final Chain chain = settled == first
+			? first
+			: fitter.fit(settled, Optional.empty()).chain();
+		if (Math.abs(chain.length() / contour.length() - 1) > ASTRAY
+			|| FitQuality.of(frame, estimate.model(), chain).dark() > DARK)
+			return Optional.empty();
+		return Optional.of(new Seen(t, chain, !FreeEnds.atBorder(frames.get(t), chain.start()),
+			!FreeEnds.atBorder(frames.get(t), chain.tip())));
+	}
+
+	/** The fixed ends that were seen, one for each of {@code frames}; null where none was. */
+	List<Seen> withFixedEnd() {
+		return seen.stream().filter(Seen::fixedEndSeen).toList();
+	}
+
+	/** The frames in which both ends were seen. */
+	List<Seen> whole() {
+		final List<Seen> whole = new ArrayList<>();
+		for (final Seen s : seen)
+			if (s.isWhole())
+				whole.add(s);
+		return whole;
+	}
+}
