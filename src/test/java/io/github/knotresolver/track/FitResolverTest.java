@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,6 +20,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.LengthModel;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.Drawn;
 import io.github.knotresolver.candidate.CandidateGenerator;
@@ -28,6 +30,7 @@ import io.github.knotresolver.contour.DiscreteFrechet;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.DrawnMovie;
 import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.progress.Progress;
@@ -43,7 +46,7 @@ class FitResolverTest {
 		final CandidateGenerator generator, final Chain first,
 		final Map<Integer, Polyline> corrections) {
 		try (Workers workers = new Workers(1)) {
-			return new FitResolver(generator, EnumSet.of(LINE.kind()), false, workers,
+			return new FitResolver(generator, EnumSet.of(LINE.kind()), LengthModel.AUTO, workers,
 				Progress.NONE)
 					.resolve(frames, first.start(), OptionalDouble.empty(), corrections)
 					.orElseThrow().frames();
@@ -137,5 +140,56 @@ class FitResolverTest {
 				corrected.get(t).status());
 			assertEquals(1, quarterTurns(corrected.get(t).contour().orElseThrow()), "frame " + t);
 		}
+	}
+
+	private static double worstStart(final List<Chain> truth, final List<Observation> found) {
+		double worst = 0;
+		for (int t = 0; t < truth.size(); t++)
+			worst = Math.max(worst, found.get(t).contour().orElseThrow().first()
+				.distanceTo(truth.get(t).start()));
+		return worst;
+	}
+
+	/** A stage that moves everything. */
+	private static List<Chain> carried(final IntFunction<Point> stage) {
+		final List<Chain> waves = DrawnMovie.waves(24, LENGTH, 2.4);
+		final List<Chain> moved = new ArrayList<>();
+		for (int t = 0; t < waves.size(); t++)
+			moved.add(waves.get(t).shifted(stage.apply(t)));
+		return moved;
+	}
+
+	@Test
+	void aClampThatDriftsIsFollowed() {
+		final List<Chain> truth = carried(t -> new Point(0.5 * t, -0.3 * t));
+		final List<Observation> found = resolve(DrawnFrames.of(truth, LINE, t -> 1),
+			TrailCandidates.DEFAULT, truth.get(0), Map.of());
+		assertFollows(truth, found);
+		assertTrue(worstStart(truth, found) < 1, worstStart(truth, found) + " px");
+	}
+
+	@ParameterizedTest
+	@ValueSource(ints = {9, 15, 20})
+	void aClampThatJumpsIsFollowed(final int frame) {
+		final List<Chain> truth = carried(
+			t -> t < frame ? new Point(0, 0) : new Point(6, -7));
+		final List<Observation> found = resolve(DrawnFrames.of(truth, LINE, t -> 1),
+			TrailCandidates.DEFAULT, truth.get(0), Map.of());
+		assertFollows(truth, found);
+		assertTrue(worstStart(truth, found) < 1, worstStart(truth, found) + " px");
+	}
+
+	@ParameterizedTest
+	@ValueSource(doubles = {1.2, -1})
+	void aFilamentThatGrowsOrShrinksIsFollowedToItsTip(final double rate) {
+		final List<Chain> truth = new ArrayList<>();
+		for (int t = 0; t < 20; t++)
+			truth.add(DrawnMovie.wave(t, 80, 1.5).resized(65 + rate * t));
+		final List<Observation> found = resolve(DrawnFrames.of(truth, LINE, t -> 1),
+			TrailCandidates.DEFAULT, truth.get(0), Map.of());
+		assertFollows(truth, found);
+		for (int t = 0; t < truth.size(); t++)
+			assertEquals(truth.get(t).length(), found.get(t).contour().orElseThrow().length(), 1,
+				"frame " + t);
 	}
 }

@@ -13,9 +13,12 @@ import org.junit.jupiter.params.provider.ValueSource;
 import io.github.knotresolver.Drawn;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Fit;
+import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 
 class MotionPriceTest {
+
+	private static final AnchorPath STILL = AnchorPath.still(new Point(0, 0), 6);
 
 	private static final int LINKS = 40;
 	private static final double LENGTH = 80;
@@ -82,7 +85,7 @@ class MotionPriceTest {
 		final List<List<Fit>> proposals = List.of(List.of(fit(far, 0), fit(loop(0, 1), -5)),
 			List.of(fit(loop(4, 1), -5), fit(far, -4)), List.of(), List.of(fit(loop(8, 1), -5)),
 			List.of(fit(loop(12, 1), -5)), List.of(fit(far, -5)));
-		final MotionPrice learned = MotionPrice.learn(proposals);
+		final MotionPrice learned = MotionPrice.learn(proposals, STILL);
 		assertEquals(4, learned.usualMotion(), 1e-6);
 		assertTrue(learned.usualTurn() > 0 && learned.usualTurn() < 0.1);
 	}
@@ -92,7 +95,7 @@ class MotionPriceTest {
 		for (final List<List<Fit>> none : List.of(List.<List<Fit>>of(), List.of(List.<Fit>of()),
 			List.of(List.of(fit(loop(0, 1), 0)), List.of(fit(loop(0, 1), 0)))))
 			assertTrue(Double
-				.isFinite(MotionPrice.learn(none).between(loop(0, 1), loop(30, -1))));
+				.isFinite(MotionPrice.learn(none, STILL).between(loop(0, 1), loop(30, -1))));
 	}
 
 	private static Chain random(final Random random) {

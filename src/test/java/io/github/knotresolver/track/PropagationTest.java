@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import io.github.knotresolver.CancelledProgress;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.DrawnMovie;
+import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.fit.FilamentFitter;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitSettings;
@@ -47,8 +48,16 @@ class PropagationTest {
 		return proposals;
 	}
 
+	private Propagation.Frames frames(final IntPredicate given) {
+		final FilamentEstimate estimate = new FilamentEstimate(LINE, 120, 90, 0.1,
+			truth.get(0).start());
+		return new Propagation.Frames(new FilamentCourse(estimate,
+			AnchorPath.still(truth.get(0).start(), FRAMES), LengthCourse.constant(90, FRAMES)),
+			false, given);
+	}
+
 	private List<List<Fit>> walk(final int seen, final int[] order, final IntPredicate given) {
-		return new Propagation(3, new MotionPrice(3, 0.1), this::fitter, proposedIn(seen), given,
+		return new Propagation(3, new MotionPrice(3, 0.1), this::fitter, proposedIn(seen), frames(given),
 			Progress.NONE).walk(order);
 	}
 
@@ -85,7 +94,7 @@ class PropagationTest {
 	@Test
 	void cancelStopsIt() {
 		final Propagation propagation = new Propagation(3, new MotionPrice(3, 0.1), this::fitter,
-			proposedIn(0), t -> false, new CancelledProgress());
+			proposedIn(0), frames(t -> false), new CancelledProgress());
 		assertThrows(CancelledException.class, () -> propagation.walk(new int[]{0, 1}));
 	}
 }
