@@ -174,14 +174,6 @@ public final class Chain {
 	}
 
 	/**
-	 * @param by how far, in pixels
-	 * @return this chain somewhere else
-	 */
-	public Chain shifted(final Point by) {
-		return new Chain(x0 + by.x(), y0 + by.y(), theta, linkLength);
-	}
-
-	/**
 	 * The same filament with another length: cut off at the tip, or going on straight there.
 	 *
 	 * @param length in pixels, above 0
@@ -199,16 +191,6 @@ public final class Chain {
 			next[i] = theta[lower] + (at - lower) * (theta[lower + 1] - theta[lower]);
 		}
 		return new Chain(x0, y0, next, h);
-	}
-
-	/** @return the same line, run from its tip to its fixed end */
-	public Chain reversed() {
-		final int n = theta.length;
-		final double[] x = new double[n + 1], y = new double[n + 1], next = new double[n];
-		nodes(x, y);
-		for (int i = 0; i < n; i++)
-			next[i] = theta[n - 1 - i] + Math.PI;
-		return new Chain(x[n], y[n], next, linkLength);
 	}
 
 	/** @return the tip, in pixels */
@@ -341,16 +323,12 @@ public final class Chain {
 
 	/**
 	 * Mean distance of corresponding nodes: the distance at equal arc length from
-	 * the fixed end. Of two lengths the shorter counts.
+	 * the fixed end.
 	 *
 	 * @param other a chain with as many links
 	 * @return the distance in pixels
 	 */
 	public double distance(final Chain other) {
-		if (other.linkLength != linkLength)
-			return other.linkLength > linkLength
-				? distance(other.resized(length()))
-				: resized(other.length()).distance(other);
 		final int n = theta.length + 1;
 		final double[] ax = new double[n], ay = new double[n], bx = new double[n],
 			by = new double[n];
@@ -371,10 +349,6 @@ public final class Chain {
 	 * @return the difference in radians
 	 */
 	public double turn(final Chain other) {
-		if (other.linkLength != linkLength)
-			return other.linkLength > linkLength
-				? turn(other.resized(length()))
-				: resized(other.length()).turn(other);
 		final double full = nearest(other.theta[0], theta[0]) - other.theta[0];
 		double sum = 0;
 		for (int i = 0; i < theta.length; i++)

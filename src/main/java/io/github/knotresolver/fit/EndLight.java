@@ -151,7 +151,7 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 			final int right = inside(end.x() + reach, frame.width());
 			final int bottom = inside(end.y() + reach, frame.height());
 			part = frame.window(left, top, right - left + 1, bottom - top + 1);
-			drawn = Neighbourhood.draw(part, model, chain.shifted(new Point(-left, -top)));
+			drawn = Neighbourhood.draw(part, model, chain.shifted(-left, -top));
 			final double[] brightness = model.brightnessOfLinks(chain.links());
 			expected = brightness[brightness.length - 1];
 		}

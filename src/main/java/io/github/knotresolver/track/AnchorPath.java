@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
+import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitSettings;
 import io.github.knotresolver.geometry.Point;
@@ -219,9 +220,9 @@ record AnchorPath(List<Point> places, double[] weights) {
 		return weights[t];
 	}
 
-	/** How far the anchor moves from one frame to another. */
-	Point shift(final int from, final int to) {
+	/** A chain of one frame as it would be in another if it moved with the anchor only. */
+	Chain carried(final Chain chain, final int from, final int to) {
 		final Point a = places.get(from), b = places.get(to);
-		return new Point(b.x() - a.x(), b.y() - a.y());
+		return chain.shifted(b.x() - a.x(), b.y() - a.y());
 	}
 }

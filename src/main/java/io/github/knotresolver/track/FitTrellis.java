@@ -37,7 +37,7 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 			.map(p -> p.stream().mapToDouble(Fit::energy).toArray()).toList();
 		final MotionPrice motion = MotionPrice.learn(pools, course.anchor());
 		final TrellisPath path = Trellis.solve(prices, (t, i, u, j) -> motion.between(
-			pools.get(t).get(i).chain().shifted(course.anchor().shift(t, u)),
+			course.anchor().carried(pools.get(t).get(i).chain(), t, u),
 			pools.get(u).get(j).chain()), progress);
 		final List<Optional<FitQuality>> quality = new ArrayList<>();
 		for (int t = 0; t < pools.size(); t++)

@@ -25,6 +25,9 @@ record MotionPrice(double usualMotion, double usualTurn) {
 	private static final double LEAST_MOTION = 0.5;
 	private static final double LEAST_TURN = 0.05;
 
+	/** Lengths whose ratio is above this differ visibly. */
+	private static final double OTHER_LENGTH = 1.005;
+
 	/** Price of usual motion, in strand intensities squared. */
 	private static final double USUAL = 0.2;
 
@@ -40,7 +43,7 @@ record MotionPrice(double usualMotion, double usualTurn) {
 	static MotionPrice learn(final List<List<Fit>> proposals, final AnchorPath anchor) {
 		final List<Chain> best = IntStream.range(0, proposals.size())
 			.mapToObj(t -> proposals.get(t).stream().min(Comparator.comparingDouble(Fit::energy))
-				.map(f -> f.chain().shifted(anchor.shift(t, 0))))
+				.map(f -> anchor.carried(f.chain(), t, 0)))
 			.flatMap(Optional::stream).toList();
 		final int steps = Math.max(0, best.size() - 1);
 		final double[] motion = new double[steps], turn = new double[steps];
@@ -57,7 +60,19 @@ record MotionPrice(double usualMotion, double usualTurn) {
 		return values.length == 0 ? 0 : values[values.length / 2];
 	}
 
+	/**
+	 * Of filaments whose lengths differ visibly, the part that both have is compared: a
+	 * filament grows and breaks at its tip.
+	 */
 	double between(final Chain a, final Chain b) {
+		final double longer = Math.max(a.length(), b.length()),
+			shorter = Math.min(a.length(), b.length());
+		return longer < OTHER_LENGTH * shorter
+			? moved(a, b)
+			: moved(a.resized(shorter), b.resized(shorter));
+	}
+
+	private double moved(final Chain a, final Chain b) {
 		return price(a.distance(b) / usualMotion) + price(a.turn(b) / usualTurn);
 	}
 

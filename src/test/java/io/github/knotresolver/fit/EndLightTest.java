@@ -11,8 +11,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-import io.github.knotresolver.geometry.Point;
-
 class EndLightTest {
 
 	private static final double NOISE = 0.05;
@@ -71,8 +69,7 @@ class EndLightTest {
 	@Test
 	void nothingIsSaidBeyondTheBorder() {
 		final LineModel model = line(LineModel.Kind.ADDITIVE);
-		final Chain truth = DrawnMovie.wave(0, 150, 0)
-			.shifted(new Point(0, 0));
+		final Chain truth = DrawnMovie.wave(0, 150, 0);
 		final EndLight light = light(truth, model);
 		final Chain leaving = truth.resized(90);
 		assertTrue(leaving.tip().x() > DrawnMovie.SIZE - 4, leaving.tip().toString());

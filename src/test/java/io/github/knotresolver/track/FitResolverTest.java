@@ -155,7 +155,7 @@ class FitResolverTest {
 		final List<Chain> waves = DrawnMovie.waves(24, LENGTH, 2.4);
 		final List<Chain> moved = new ArrayList<>();
 		for (int t = 0; t < waves.size(); t++)
-			moved.add(waves.get(t).shifted(stage.apply(t)));
+			moved.add(waves.get(t).shifted(stage.apply(t).x(), stage.apply(t).y()));
 		return moved;
 	}
 
