@@ -12,11 +12,14 @@ import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.graph.Node;
 import io.github.knotresolver.graph.Segment;
 import io.github.knotresolver.graph.SkeletonGraph;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.track.EndPaths.End;
+import io.github.knotresolver.track.EndPaths.EndPath;
 
 /**
  * Whether the graphs of a movie show beyond doubt that it holds one filament that is clamped:
- * one object with no more than two free ends in nearly all frames, and one end in the same
- * place in nearly all of those in which it lies open.
+ * one object with no more than two free ends in nearly all frames, and one end that hardly
+ * moves in nearly all of those in which it lies open.
  */
 public final class SingleFilament {
 
@@ -29,8 +32,11 @@ public final class SingleFilament {
 	/** A branch shorter than this (pixels) has no end of its own. */
 	private static final double SPUR = 8;
 
-	/** A clamped end is seen within this (pixels) of its place, in so many open frames. */
-	private static final double SAME_PLACE = 4, USUALLY = 0.85;
+	/** A clamped end is seen in so many open frames; its steps leave it so much of its votes. */
+	private static final double USUALLY = 0.85, STEADY = 0.55;
+
+	/** A stage moves a clamp no farther than this (pixels). */
+	private static final double STAGE = 24;
 
 	private static final int FEWEST_OPEN = 5;
 
@@ -86,14 +92,22 @@ public final class SingleFilament {
 		return ends;
 	}
 
+	/** A stage that drifts, jitters or jumps carries the clamp along, but not far. */
 	private static boolean staysInPlace(final List<List<Point>> open) {
-		for (final List<Point> frame : open)
-			for (final Point place : frame) {
-				final long same = open.stream().filter(
-					ends -> ends.stream().anyMatch(e -> e.distanceTo(place) <= SAME_PLACE)).count();
-				if (same >= USUALLY * open.size())
-					return true;
-			}
-		return false;
+		final List<End> ends = new ArrayList<>();
+		for (int t = 0; t < open.size(); t++)
+			for (final Point place : open.get(t))
+				ends.add(new End(t, place, 0, 1));
+		return EndPaths.best(ends, 2, Progress.NONE).stream()
+			.anyMatch(p -> p.ends().size() >= USUALLY * open.size()
+				&& p.votes() >= STEADY * p.ends().size() && range(p) <= STAGE);
+	}
+
+	private static double range(final EndPath path) {
+		double range = 0;
+		for (final End a : path.ends())
+			for (final End b : path.ends())
+				range = Math.max(range, a.at().distanceTo(b.at()));
+		return range;
 	}
 }
