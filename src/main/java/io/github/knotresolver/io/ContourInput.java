@@ -75,9 +75,9 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 				+ ContoursCsv.FILE + "; give the folder that 'resolve' wrote.");
 		final Path table = folder.resolve(FramesCsv.FILE);
 		final int count = Files.isRegularFile(table) ? CsvFile.read(table).size() - 1 : 0;
-		final Calibration units = unit(file, CsvFile.read(file));
 		final String name = folder.toAbsolutePath().normalize().getFileName().toString();
 		final List<Optional<Polyline>> frames = frames(file, ContoursCsv.read(file), count);
+		final Calibration units = unit(file, CsvFile.read(file));
 		final Path json = folder.resolve(ParametersJson.FILE);
 		return Files.isRegularFile(json)
 			? told(name, frames, json, units)
@@ -173,7 +173,7 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 				: 0;
 			return new ContourInput(name, frames, c, error / c.pixelSize());
 		} catch (final IOException | JsonParseException | IllegalStateException | ClassCastException
-			| NumberFormatException e) {
+			| IllegalArgumentException | UnsupportedOperationException e) {
 			throw new UserException(
 				json + " is damaged; resolve the movie again, or give its contours.csv alone.", e);
 		}

@@ -51,7 +51,7 @@ public record ResolvedRun(String name, Optional<Path> movie, RunOptions options,
 				text(movie.get("file")).map(Path::of), options(root.getAsJsonObject("options")),
 				ContourInput.read(folder));
 		} catch (final IOException | JsonParseException | IllegalStateException | ClassCastException
-			| NullPointerException e) {
+			| IllegalArgumentException | UnsupportedOperationException | NullPointerException e) {
 			throw new UserException(json + " is damaged; resolve the movie again.", e);
 		}
 	}

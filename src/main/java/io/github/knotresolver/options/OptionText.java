@@ -1,6 +1,8 @@
 
 package io.github.knotresolver.options;
 
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.OptionalDouble;
@@ -163,6 +165,20 @@ public final class OptionText {
 		final int[] parts = Arrays.stream(CellText.clean(text).split("\\s*,\\s*"))
 			.mapToInt(Integer::parseInt).toArray();
 		return new Region(parts[0], parts[1], parts[2], parts[3]);
+	}
+
+	/**
+	 * @param key the option, for the message
+	 * @param text what was typed
+	 * @return the file or folder that it names
+	 * @throws UserException if no file can have that name
+	 */
+	public static Path path(final String key, final String text) {
+		try {
+			return Path.of(text);
+		} catch (final InvalidPathException e) {
+			throw refusal(key, "the name of a file", text);
+		}
 	}
 
 	/**

@@ -1,6 +1,5 @@
 package io.github.knotresolver.options;
 
-import java.nio.file.Path;
 import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -155,7 +154,7 @@ public final class ResolveOptions {
 
 		option("corrections", Kind.FILE).basic(Section.FRAMES).takes("FILE")
 			.label("Corrections (CSV)").help("Contours that you drew: frame,index,x_px,y_px")
-			.byDefault("none").reads((d, t) -> d.corrections = Optional.of(Path.of(t))),
+			.byDefault("none").reads((d, t) -> d.corrections = Optional.of(OptionText.path("corrections", t))),
 
 		option("pixel_size", Kind.TEXT).basic(Section.UNITS).takes("P").label("Pixel size")
 			.help("Edge of a pixel").byDefault("the image's").range("above 0")

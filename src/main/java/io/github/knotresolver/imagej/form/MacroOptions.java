@@ -52,8 +52,11 @@ public record MacroOptions(Map<String, Optional<String>> values) {
 			final Map<String, Optional<String>> values = new LinkedHashMap<>();
 			while (at < text.length()) {
 				final String key = key();
+				if (key.isEmpty() && at == text.length())
+					break;
 				if (key.isEmpty())
-					continue;
+					throw new UserException("There is no key before '" + text.substring(at)
+						+ "'; write key=value, or key=[a value] if the value has spaces or '='.");
 				final Optional<String> value = isAt('=')
 					? Optional.of(resolved(key, value(key)))
 					: Optional.empty();
@@ -65,7 +68,7 @@ public record MacroOptions(Map<String, Optional<String>> values) {
 		}
 
 		private String key() {
-			while (isAt(' ') || isAt('\t') || isAt('\n'))
+			while (at < text.length() && Character.isWhitespace(text.charAt(at)))
 				at++;
 			final int start = at;
 			while (at < text.length() && !isAt('=') && !Character.isWhitespace(text.charAt(at)))

@@ -1,0 +1,147 @@
+package io.github.knotresolver.fuzz;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.lang.management.ManagementFactory;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+
+import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.progress.CancelledException;
+
+/**
+ * Runs what an input starts, and tells what must not happen: any failure but a sentence for
+ * people, and work without end. The first failure ends the test; with
+ * {@code -Dfuzz.collect=true} all are counted by kind.
+ */
+public final class Guard {
+
+	/** Work that computes longer than this, in nanoseconds, has no end. */
+	private static final long LONGEST = TimeUnit.SECONDS.toNanos(5);
+
+	/** Work that waits longer than this has none, either. */
+	private static final int LONGEST_WAIT = 120;
+
+	private static final boolean COLLECT = Boolean.getBoolean("fuzz.collect");
+
+	private static final Map<String, Integer> COUNTS = new TreeMap<>();
+
+	private final String name;
+	private final ExecutorService executor = Executors.newSingleThreadExecutor(this::worker);
+	private volatile Thread thread;
+
+	/** @param name what is tested, in messages */
+	public Guard(final String name) {
+		this.name = name;
+	}
+
+	private Thread worker(final Runnable work) {
+		thread = new Thread(work, "fuzzed " + name);
+		thread.setDaemon(true);
+		return thread;
+	}
+
+	/**
+	 * Runs work that is to end in a sentence or a result.
+	 *
+	 * @param input the input, for the message
+	 * @param work reads it
+	 */
+	public void run(final Supplier<String> input, final Runnable work) {
+		run(input, work, () -> ManagementFactory.getThreadMXBean().getThreadCpuTime(thread.getId()));
+	}
+
+	/**
+	 * The same for work on several threads.
+	 *
+	 * @param input the input, for the message
+	 * @param work reads it
+	 */
+	public void runThreads(final Supplier<String> input, final Runnable work) {
+		run(input, work, () -> ((com.sun.management.OperatingSystemMXBean) ManagementFactory
+			.getOperatingSystemMXBean()).getProcessCpuTime());
+	}
+
+	private void run(final Supplier<String> input, final Runnable work, final LongSupplier clock) {
+		final Future<?> running = executor.submit(work);
+		final long start = thread == null ? 0 : clock.getAsLong();
+		for (int waited = 0;; waited++)
+			try {
+				running.get(1, TimeUnit.SECONDS);
+				return;
+			} catch (final ExecutionException e) {
+				judge(input, e.getCause());
+				return;
+			} catch (final TimeoutException e) {
+				if (clock.getAsLong() - start > LONGEST || waited > LONGEST_WAIT) {
+					running.cancel(true);
+					throw endless(input);
+				}
+			} catch (final InterruptedException e) {
+				throw new IllegalStateException(e);
+			}
+	}
+
+	/** Ends the test at once, for the work goes on and takes the time of what follows. */
+	private AssertionError endless(final Supplier<String> input) {
+		final AssertionError endless = new AssertionError(
+			name + ": work without end\n  for " + input.get());
+		endless.setStackTrace(thread.getStackTrace());
+		return endless;
+	}
+
+	private void judge(final Supplier<String> input, final Throwable thrown) {
+		if (thrown instanceof CancelledException)
+			return;
+		if (!(thrown instanceof UserException)) {
+			report(input, thrown);
+			return;
+		}
+		final String sentence = thrown.getMessage();
+		if (sentence == null || sentence.isBlank())
+			report(input, new AssertionError("not a sentence: " + sentence, thrown));
+	}
+
+	/**
+	 * A failure that must not be.
+	 *
+	 * @param input the input
+	 * @param thrown what happened
+	 */
+	public void report(final Supplier<String> input, final Throwable thrown) {
+		if (!COLLECT)
+			throw new AssertionError(name + ": " + thrown + "\n  for " + input.get(), thrown);
+		final String kind = name + ": " + thrown.getClass().getSimpleName() + " at " + place(thrown);
+		synchronized (COUNTS) {
+			if (COUNTS.merge(kind, 1, Integer::sum) == 1) {
+				final StringWriter trace = new StringWriter();
+				thrown.printStackTrace(new PrintWriter(trace, true));
+				System.out.println("NEW KIND " + kind + "\n  for " + input.get() + "\n" + trace);
+			}
+		}
+	}
+
+	/** Where in this program it happened. */
+	private static String place(final Throwable thrown) {
+		for (final StackTraceElement at : thrown.getStackTrace())
+			if (at.getClassName().startsWith("io.github.knotresolver"))
+				return at.toString();
+		return thrown.getStackTrace().length == 0 ? "?" : thrown.getStackTrace()[0].toString();
+	}
+
+	/** Fails if failures were counted. */
+	public static void assertNone() {
+		synchronized (COUNTS) {
+			if (!COUNTS.isEmpty())
+				throw new AssertionError(COUNTS.toString());
+		}
+	}
+}
