@@ -92,6 +92,6 @@ final class ResolveSubcommand implements Callable<Integer> {
 			throw new UserException(sample
 				? "Either a movie or --sample, but not both."
 				: "Name a movie, or add --sample for the one that comes along.");
-		return sample ? SampleMovie.open() : ImageFile.open(movie);
+		return sample ? SampleMovie.open() : ImageFile.open(movie, progress);
 	}
 }

@@ -10,6 +10,7 @@ import ij.ImagePlus;
 import ij.gui.GenericDialog;
 import ij.gui.YesNoCancelDialog;
 import io.github.knotresolver.imagej.ImageCalibration;
+import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.options.UnitText;
@@ -32,11 +33,16 @@ final class MovieQuestions {
 	 * @return the answer; empty if the user gave up
 	 */
 	Optional<Boolean> isTimeAlongZ(final boolean known) {
-		if (known || image.getNFrames() > 1 || image.getNSlices() <= 1)
+		final boolean channels = ImageMovie.isAlongChannels(image);
+		if (known || image.getNFrames() > 1 || image.getNSlices() <= 1 && !channels)
 			return Optional.of(known);
 		final YesNoCancelDialog dialog = new YesNoCancelDialog(null, TITLE, "'" + image.getTitle()
-			+ "' is a Z-stack of " + image.getNSlices()
-			+ " slices, not a time series.\nAre its slices frames? (The image stays as it is.)");
+			+ (channels
+				? "' has " + image.getNChannels()
+					+ " channels and one frame.\nAre its channels frames?"
+				: "' is a Z-stack of " + image.getNSlices()
+					+ " slices, not a time series.\nAre its slices frames?")
+			+ " (The image stays as it is.)");
 		return dialog.cancelPressed() ? Optional.empty() : Optional.of(dialog.yesPressed());
 	}
 

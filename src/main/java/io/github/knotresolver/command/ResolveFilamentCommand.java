@@ -187,7 +187,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 	@Override
 	void work(final Progress progress) throws IOException {
 		final long start = System.nanoTime();
-		final ImagePlus input = input();
+		final ImagePlus input = input(progress);
 		final Map<String, String> texts = texts(input);
 		final RunOptions options = RunOptions.parse(texts);
 		// The image may be closed meanwhile.
@@ -220,9 +220,9 @@ public class ResolveFilamentCommand extends KnotCommand {
 			progress);
 	}
 
-	private ImagePlus input() {
+	private ImagePlus input(final Progress progress) {
 		if (movie != null)
-			return ImageFile.open(movie.toPath());
+			return ImageFile.open(movie.toPath(), progress);
 		final ImagePlus active = image != null ? image : WindowManager.getCurrentImage();
 		if (active == null)
 			throw new UserException(

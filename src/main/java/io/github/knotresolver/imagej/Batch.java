@@ -119,7 +119,7 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 			final RunOptions options = RunOptions.parse(texts);
 			try (ResultFolder folder = ResultFolder.reserve(target, ResultKind.RESOLUTION,
 				overwrite, inputs)) {
-				final ImagePlus image = ImageFile.open(row.file());
+				final ImagePlus image = ImageFile.open(row.file(), progress);
 				final Movie movie = ImageMovie.of(image, options.input());
 				final RunIdentity identity = RunIdentity.of(row.file(), texts, progress);
 				final MeasuredTracks result = MeasuredTracks

@@ -2,6 +2,8 @@
 package io.github.knotresolver.imagej;
 
 import ij.ImagePlus;
+import ij.io.FileInfo;
+import io.github.knotresolver.imagej.tiff.OmeXml;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.InputOptions;
@@ -27,7 +29,7 @@ public final class ImageCalibration {
 	 * @throws UserException if its pixels are not square
 	 */
 	public static Calibration of(final ImagePlus image) {
-		final ij.measure.Calibration c = image.getCalibration();
+		final ij.measure.Calibration c = withOme(image);
 		final Calibration none = Calibration.NONE;
 		final String unit = UnitText.length(c.getUnit());
 		final boolean sized = !unit.equals(none.unit()) && isPositive(c.pixelWidth);
@@ -39,6 +41,17 @@ public final class ImageCalibration {
 		return InputOptions.inSeconds(new Calibration(sized ? c.pixelWidth : none.pixelSize(), sized ? unit : none.unit(),
 			timed ? c.frameInterval : none.frameInterval(),
 			timed ? UnitText.time(c.getTimeUnit()) : none.timeUnit()));
+	}
+
+	/** ImageJ's opener leaves the metadata of an OME-TIFF unread. */
+	private static ij.measure.Calibration withOme(final ImagePlus image) {
+		final FileInfo info = image.getOriginalFileInfo();
+		final ij.measure.Calibration c = image.getCalibration();
+		if (info == null || c.scaled() || !OmeXml.isOme(info.description))
+			return c;
+		final ij.measure.Calibration copy = c.copy();
+		OmeXml.parse(image.getTitle(), info.description).calibrate(copy);
+		return copy;
 	}
 
 	private static boolean isPositive(final double value) {

@@ -11,43 +11,74 @@ import java.util.Set;
 import ij.ImagePlus;
 import ij.io.FileInfo;
 import ij.io.Opener;
-import ij.io.TiffDecoder;
-
+import ij.plugin.AVI_Reader;
+import io.github.knotresolver.imagej.tiff.TiffImage;
+import io.github.knotresolver.imagej.tiff.TiffStructure;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.progress.Progress;
 
 /**
- * An image file, opened with ImageJ's own readers, or refused in one sentence:
- * missing, empty, cut off, or not an image.
+ * A movie's file, or a folder of its frames, opened as dragging it onto ImageJ does;
+ * or refused in one sentence: missing, empty, cut off, not an image, of a kind that
+ * is not read.
  */
 public final class ImageFile {
 
-	/** The kinds of file that hold pixels. */
-	private static final Set<Integer> IMAGES = Set.of(Opener.TIFF, Opener.DICOM,
-		Opener.TIFF_AND_DICOM, Opener.FITS, Opener.PGM, Opener.JPEG, Opener.GIF, Opener.BMP,
-		Opener.ZIP, Opener.PNG, Opener.AVI);
+	/** The kinds of file that hold pixels, besides TIFF. */
+	private static final Set<Integer> IMAGES = Set.of(Opener.DICOM, Opener.TIFF_AND_DICOM,
+		Opener.FITS, Opener.PGM, Opener.JPEG, Opener.GIF, Opener.BMP, Opener.ZIP, Opener.PNG,
+		Opener.AVI);
+	/** Films, and stacks of files that have a palette of their own. */
+	private static final Set<Integer> FILMS = Set.of(Opener.AVI, Opener.GIF),
+		WITH_PALETTE = Set.of(Opener.GIF, Opener.BMP, Opener.PNG);
 
 	private ImageFile() {
 	}
 
 	/**
-	 * @param file an image file that plain ImageJ reads
+	 * @param file an image file, or a folder with one image a frame
 	 * @return the image
 	 * @throws UserException if it is not one, in one sentence
 	 */
 	public static ImagePlus open(final Path file) {
+		return open(file, Progress.NONE);
+	}
+
+	/**
+	 * @param file an image file, or a folder with one image a frame
+	 * @param progress may cancel, whatever is in the file
+	 * @return the image
+	 * @throws UserException if it is not one, in one sentence
+	 */
+	public static ImagePlus open(final Path file, final Progress progress) {
 		requireFile(file);
-		final int type = new Opener().getFileType(file.toString());
-		if (!IMAGES.contains(type))
-			throw notAnImage(file);
-		if (type == Opener.TIFF)
-			requireWhole(file);
-		final QuietImageJ.Outcome<ImagePlus> opened = QuietImageJ.call(() -> read(file));
-		if (opened.value() == null)
-			throw notAnImage(file);
-		if (opened.printed().contains("Exception"))
+		if (Files.isDirectory(file))
+			return ImageFolder.open(file, progress);
+		try {
+			final QuietImageJ.Outcome<ImagePlus> opened = QuietImageJ.call(() -> read(file, progress),
+				progress);
+			requireAll(file, opened.printed());
+			return opened.value();
+		} catch (final OutOfMemoryError e) {
+			throw new UserException("There is not enough memory for " + file
+				+ "; give Java more (JAVA_OPTS=-Xmx8g), or cut the movie.", e);
+		} catch (final IOException e) {
+			throw new UserException(file + " cannot be read: " + e.getMessage() + ".", e);
+		} catch (final RuntimeException e) {
+			throw e;
+		} catch (final Exception e) {
+			throw notAnImage(file, e);
+		}
+	}
+
+	/** ImageJ tells only the log, if at all, what it could not read. */
+	private static void requireAll(final Path file, final String printed) {
+		if (printed.contains("Out of memory"))
+			throw new UserException("There is not enough memory for " + file
+				+ ": not all frames were read; give Java more (JAVA_OPTS=-Xmx8g), or cut the movie.");
+		if (printed.contains("Exception"))
 			throw new UserException(file
 				+ " is damaged: ImageJ could not read all of its pixels; copy the file again from its source.");
-		return opened.value();
 	}
 
 	/**
@@ -60,74 +91,68 @@ public final class ImageFile {
 		if (info == null || image.changes || info.directory == null || info.fileName == null)
 			return Optional.empty();
 		final Path file = Path.of(info.directory, info.fileName).toAbsolutePath().normalize();
-		return Files.isRegularFile(file) ? Optional.of(file) : Optional.empty();
+		return Files.exists(file) ? Optional.of(file) : Optional.empty();
 	}
 
-	private static ImagePlus read(final Path file) {
+	/** Tells an image where it was read from. */
+	static void remember(final ImagePlus image, final Path file) {
+		final FileInfo info = image.getOriginalFileInfo() == null
+			? new FileInfo()
+			: image.getOriginalFileInfo();
+		info.directory = file.toAbsolutePath().normalize().getParent() + File.separator;
+		info.fileName = file.getFileName().toString();
+		image.setFileInfo(info);
+	}
+
+	private static ImagePlus read(final Path file, final Progress progress) throws IOException {
+		if (TiffStructure.isTiff(file))
+			return TiffImage.open(file, progress);
+		final int type = new Opener().getFileType(file.toString());
+		if (!IMAGES.contains(type))
+			throw notAnImage(file, null);
+		final ImagePlus image = byImageJ(file, type);
+		if (image == null)
+			throw notAnImage(file, null);
+		if (WITH_PALETTE.contains(type))
+			GreyImage.applyPalette(image);
+		if (FILMS.contains(type) && image.getNFrames() == 1)
+			image.setDimensions(1, 1, image.getStackSize());
+		remember(image, file);
+		return image;
+	}
+
+	private static ImagePlus byImageJ(final Path file, final int type) {
 		try {
+			if (type == Opener.AVI)
+				return AVI_Reader.open(file.toString(), false);
 			final Opener opener = new Opener();
 			opener.setSilentMode(true);
 			return opener.openImage(file.toString());
 		} catch (final RuntimeException e) {
-			return null;
+			// ImageJ's readers fail in many ways at a file that is damaged.
+			throw notAnImage(file, e);
 		}
 	}
 
 	private static void requireFile(final Path file) {
 		if (!Files.exists(file))
 			throw new UserException("There is no file " + file + "; check the path.");
-		if (Files.isDirectory(file))
-			throw new UserException(
-				file + " is a folder, but a movie is one image file; name the file.");
 		if (!Files.isReadable(file))
 			throw new UserException(file + " may not be read; check its permissions.");
 		try {
-			if (Files.size(file) == 0)
+			if (Files.isRegularFile(file) && Files.size(file) == 0)
 				throw new UserException(
 					file + " is empty (0 bytes); copy the file again from its source.");
 		} catch (final IOException e) {
-			throw new UserException(file + " cannot be read: " + e.getMessage() + ".",
-				e);
+			throw new UserException(file + " cannot be read: " + e.getMessage() + ".", e);
 		}
+		if (!Files.isRegularFile(file) && !Files.isDirectory(file))
+			throw new UserException(file + " is neither a file nor a folder; name a movie.");
 	}
 
-	private static void requireWhole(final Path file) {
-		try {
-			if (TiffFile.isComplete(file) && frameDataAreComplete(file))
-				return;
-		} catch (final IOException e) {
-			throw new UserException(file + " cannot be read: " + e.getMessage() + ".",
-				e);
-		}
-		throw new UserException(file
-			+ " is cut off: the file ends before its last frame; copy the file again from its source.");
-	}
-
-	/** ImageJ's own stacks have one directory for many frames in a row. */
-	private static boolean frameDataAreComplete(final Path file) throws IOException {
-		final QuietImageJ.Outcome<FileInfo[]> outcome = QuietImageJ.call(() -> infos(file));
-		if (outcome.value() == null || outcome.value().length == 0)
-			return false;
-		final FileInfo info = outcome.value()[0];
-		if (info.nImages <= 1)
-			return true;
-		final long frame = (long) info.width * info.height * info.getBytesPerPixel();
-		return info.getOffset() + info.nImages * frame + (info.nImages - 1) * info.getGap() <= Files
-			.size(file);
-	}
-
-	private static FileInfo[] infos(final Path file) {
-		try {
-			final Path folder = file.toAbsolutePath().getParent();
-			return new TiffDecoder(folder + File.separator, file.getFileName().toString())
-				.getTiffInfo();
-		} catch (final IOException | RuntimeException e) {
-			return null;
-		}
-	}
-
-	private static UserException notAnImage(final Path file) {
+	private static UserException notAnImage(final Path file, final Throwable cause) {
 		return new UserException(file
-			+ " is not an image that ImageJ can open; save the movie as a TIFF stack of 8, 16 or 32 bit.");
+			+ " is not an image that ImageJ can open; save the movie as a TIFF stack of 8, 16 or 32 bit.",
+			cause);
 	}
 }

@@ -40,6 +40,10 @@ public final class ImageMovie {
 	 *           in grey values; one sentence that says what to do
 	 */
 	public static Movie of(final ImagePlus image, final InputOptions options) {
+		return ofGrey(GreyImage.of(image), options);
+	}
+
+	private static Movie ofGrey(final ImagePlus image, final InputOptions options) {
 		MovieChecks.requireTimeSeries(image, options);
 		final List<Object> planes = planes(image, options);
 		MovieChecks.requireContrast(image.getTitle(), planes);
@@ -57,13 +61,20 @@ public final class ImageMovie {
 		return image.getNFrames() == 1 && image.getNSlices() > 1;
 	}
 
+	/** @return whether all that the image has several of is channels */
+	public static boolean isAlongChannels(final ImagePlus image) {
+		return image.getNFrames() == 1 && image.getNSlices() == 1 && image.getNChannels() > 1;
+	}
+
 	private static List<Object> planes(final ImagePlus image, final InputOptions options) {
-		final boolean alongZ = isAlongZ(image);
-		final int frames = alongZ ? image.getNSlices() : image.getNFrames();
+		final boolean alongZ = isAlongZ(image), alongChannels = isAlongChannels(image);
+		final int frames = alongChannels
+			? image.getNChannels()
+			: alongZ ? image.getNSlices() : image.getNFrames();
 		final List<Object> planes = new ArrayList<>(frames);
 		for (int t = 1; t <= frames; t++) {
-			final int index = image.getStackIndex(options.channel(), alongZ ? t : 1,
-				alongZ ? 1 : t);
+			final int index = image.getStackIndex(alongChannels ? t : options.channel(), alongZ ? t : 1,
+				alongZ || alongChannels ? 1 : t);
 			planes.add(pixels(image.getStack(), index));
 		}
 		return planes;

@@ -5,13 +5,23 @@ import java.awt.GraphicsEnvironment;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
-import java.util.function.Supplier;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+
+import io.github.knotresolver.progress.CancelledException;
+import io.github.knotresolver.progress.Progress;
 
 /**
- * Keeps what ImageJ prints while it opens a file away from standard output and
+ * Calls readers of files so that a person can stop them, whatever is in the file, and
+ * that what ImageJ prints meanwhile goes neither to standard output nor to
  * standard error, when there is no window it could go to.
  */
 final class QuietImageJ {
+
+	private static final int LOOK_MILLISECONDS = 50;
 
 	/**
 	 * @param <T> what the work gives
@@ -26,22 +36,51 @@ final class QuietImageJ {
 
 	/**
 	 * @param <T> what the work gives
-	 * @param work calls ImageJ
+	 * @param work calls ImageJ; if it does not end it is left to itself
+	 * @param progress may cancel
 	 * @return what it gave and printed
+	 * @throws Exception what the work threw
 	 */
-	static synchronized <T> Outcome<T> call(final Supplier<T> work) {
+	static synchronized <T> Outcome<T> call(final Callable<T> work, final Progress progress)
+		throws Exception {
 		if (!GraphicsEnvironment.isHeadless())
-			return new Outcome<>(work.get(), "");
+			return new Outcome<>(patiently(work, progress), "");
 		final PrintStream out = System.out, err = System.err;
 		final ByteArrayOutputStream printed = new ByteArrayOutputStream();
 		final PrintStream catcher = new PrintStream(printed, true, StandardCharsets.UTF_8);
 		System.setOut(catcher);
 		System.setErr(catcher);
 		try {
-			return new Outcome<>(work.get(), printed.toString(StandardCharsets.UTF_8));
+			final T value = patiently(work, progress);
+			return new Outcome<>(value, printed.toString(StandardCharsets.UTF_8));
 		} finally {
 			System.setOut(out);
 			System.setErr(err);
+		}
+	}
+
+	private static <T> T patiently(final Callable<T> work, final Progress progress)
+		throws Exception {
+		final FutureTask<T> task = new FutureTask<>(work);
+		final Thread reader = new Thread(task, "Reading a movie");
+		reader.setDaemon(true);
+		reader.start();
+		try {
+			while (true)
+				try {
+					return task.get(LOOK_MILLISECONDS, TimeUnit.MILLISECONDS);
+				} catch (final TimeoutException e) {
+					progress.checkCancelled();
+				}
+		} catch (final InterruptedException e) {
+			Thread.currentThread().interrupt();
+			throw new CancelledException();
+		} catch (final ExecutionException e) {
+			if (e.getCause() instanceof Error error)
+				throw error;
+			throw (Exception) e.getCause();
+		} finally {
+			reader.interrupt();
 		}
 	}
 }

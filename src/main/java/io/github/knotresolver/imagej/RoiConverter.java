@@ -58,6 +58,9 @@ public final class RoiConverter {
 	public static RoiConverter forImage(final ImagePlus image, final int channel) {
 		if (image.getNChannels() == 1)
 			return forStack(image.getStackSize());
+		if (ImageMovie.isAlongChannels(image))
+			return new RoiConverter(image.getNChannels(),
+				(roi, frame) -> roi.setPosition(frame, 1, 1));
 		if (ImageMovie.isAlongZ(image))
 			return new RoiConverter(image.getNSlices(),
 				(roi, frame) -> roi.setPosition(channel, frame, 1));

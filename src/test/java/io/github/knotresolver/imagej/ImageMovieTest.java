@@ -100,8 +100,9 @@ class ImageMovieTest {
 
 	@Test
 	void rgbIsRefusedWithAdvice() {
-		assertRefused("convert it with Image > Type > 8-bit",
-			IJ.createHyperStack("rgb", 5, 5, 1, 1, 3, 24), InputOptions.DEFAULT);
+		final ImagePlus image = IJ.createHyperStack("rgb", 5, 5, 1, 1, 3, 24);
+		image.getStack().getProcessor(2).set(1, 1, 0xff0000);
+		assertRefused("convert it with Image > Type > 8-bit", image, InputOptions.DEFAULT);
 	}
 
 	@Test
@@ -144,7 +145,6 @@ class ImageMovieTest {
 		final byte[] whole = pageByPage(5, 40);
 		final Path file = home.resolve("pages.tif");
 		Files.write(file, whole);
-		assertTrue(TiffFile.isComplete(file));
 		assertEquals(5, ImageFile.open(file).getStackSize());
 		for (int length = 9; length < whole.length; length += 7) {
 			Files.write(file, Arrays.copyOf(whole, length));

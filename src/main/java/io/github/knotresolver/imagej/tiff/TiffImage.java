@@ -1,0 +1,121 @@
+package io.github.knotresolver.imagej.tiff;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+import ij.ImagePlus;
+import ij.ImageStack;
+import ij.io.FileInfo;
+import ij.io.Opener;
+import ij.io.TiffDecoder;
+import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.progress.Progress;
+
+/**
+ * A TIFF file as an image of ImageJ: by ImageJ's own reader what that reads right, by
+ * a library what it does not, with axes and units of OME-TIFF as well. Whether all
+ * frames came is checked: too little memory makes ImageJ leave out the last.
+ */
+public final class TiffImage {
+
+	private static final int MEGABYTE = 1 << 20, FLOAT_BYTES = 4;
+
+	private final Path path;
+	private final TiffKind kind;
+	private final TiffDescription description;
+
+	private TiffImage(final Path path) throws IOException {
+		this.path = path;
+		final TiffStructure structure = TiffStructure.read(path);
+		kind = new TiffKind(structure);
+		description = new TiffDescription(path, kind.first());
+	}
+
+	/**
+	 * @param path a file that begins as a TIFF
+	 * @param progress may cancel
+	 * @return the image, its planes in ImageJ's order
+	 * @throws UserException if it is damaged, cut off, of a kind that is not read, or
+	 *           larger than the memory; in one sentence
+	 * @throws IOException if the file cannot be read
+	 */
+	public static ImagePlus open(final Path path, final Progress progress) throws IOException {
+		return new TiffImage(path).open(progress);
+	}
+
+	private ImagePlus open(final Progress progress) throws IOException {
+		requireImages();
+		requireMemory();
+		return kind.isForImageJ() ? byImageJ() : byLibrary(progress);
+	}
+
+	/** ImageJ's own stacks have one directory for many frames in a row. */
+	private void requireImages() throws IOException {
+		final int found = kind.frames().size(), promised = description.promised();
+		if (promised <= found)
+			return;
+		final long[] start = kind.first().values(TiffPage.STRIP_OFFSETS);
+		final boolean inARow = found == 1 && kind.isForImageJ() && start.length > 0;
+		if (!inARow)
+			throw new UserException(path + " tells of " + promised + " images, but holds " + found
+				+ "; the rest is in other files, or was cut off: open them together and save them as one stack.");
+		if (start[0] + promised * kind.first().bytes() > Files.size(path))
+			throw TiffStructure.cutOff(path);
+	}
+
+	private void requireMemory() {
+		final TiffPage page = kind.first();
+		final int bytes = page.bits() <= 8 ? 1 : page.bits() <= 16 ? 2 : FLOAT_BYTES;
+		final double frames = Math.max(kind.frames().size(), description.promised());
+		final double needed = frames * page.width() * page.height() * page.samples() * bytes;
+		if (needed > Runtime.getRuntime().maxMemory())
+			throw noMemory("needs " + (long) Math.ceil(needed / MEGABYTE) + " MB");
+	}
+
+	private UserException noMemory(final String what) {
+		return new UserException("There is not enough memory for " + path + ": it " + what
+			+ ", and Java has " + Runtime.getRuntime().maxMemory() / MEGABYTE
+			+ " MB; give Java more (JAVA_OPTS=-Xmx8g, in ImageJ Edit > Options > Memory & Threads), or cut the movie.");
+	}
+
+	private ImagePlus byImageJ() throws IOException {
+		final String folder = path.toAbsolutePath().getParent() + File.separator,
+			name = path.getFileName().toString();
+		final FileInfo[] infos = new TiffDecoder(folder, name).getTiffInfo();
+		if (infos == null || infos.length == 0)
+			throw TiffStructure.damaged(path, "ImageJ finds no image in it");
+		final Opener opener = new Opener();
+		opener.setSilentMode(true);
+		final ImagePlus image = opener.openTiff(folder, name);
+		final int expected = Math.max(Math.max(infos[0].nImages, kind.frames().size()),
+			description.promised());
+		if (image == null)
+			throw TiffStructure.damaged(path, "ImageJ cannot read its pixels");
+		final int found = image.getStackSize();
+		if (found < expected)
+			throw noMemory("has " + expected + " frames, of which " + found + " were read");
+		if (description.isForeign())
+			describe(image, found / kind.frames().size());
+		return image;
+	}
+
+	private ImagePlus byLibrary(final Progress progress) throws IOException {
+		final ImageStack stack = new TiffPixels(path, kind.first()).read(kind.frames(), progress);
+		final ImagePlus image = new ImagePlus(path.getFileName().toString(), stack);
+		final FileInfo info = new FileInfo();
+		info.directory = path.toAbsolutePath().getParent() + File.separator;
+		info.fileName = path.getFileName().toString();
+		info.description = kind.first().description();
+		image.setFileInfo(info);
+		describe(image, stack.size() / kind.frames().size());
+		return image;
+	}
+
+	private void describe(final ImagePlus image, final int perImage) {
+		description.axes(image.getStackSize(), perImage).arrange(image);
+		description.calibrate(image.getCalibration());
+		image.setOpenAsHyperStack(image.getNChannels() > 1);
+	}
+}

@@ -1,0 +1,157 @@
+package io.github.knotresolver.imagej;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.IndexColorModel;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.CountDownLatch;
+
+import javax.imageio.ImageIO;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import ij.ImagePlus;
+import ij.io.FileSaver;
+import ij.plugin.GifWriter;
+import ij.plugin.filter.AVI_Writer;
+import io.github.knotresolver.io.InputOptions;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.progress.CancelledException;
+import io.github.knotresolver.progress.Progress;
+
+/** Films, and folders with one image a frame, as dragging them onto ImageJ opens them. */
+class ImageFolderTest {
+
+	private static final int FRAMES = 11;
+
+	@TempDir
+	Path home;
+
+	private final ImagePlus image = TestImages.movie(FRAMES, 8);
+
+	/** Names whose order as text is not that of their numbers. */
+	private Path folder(final String ending, final boolean rgb) {
+		for (int t = 1; t <= FRAMES; t++) {
+			final var ip = image.getStack().getProcessor(t);
+			final FileSaver saver = new FileSaver(
+				new ImagePlus("frame", rgb ? ip.convertToRGB() : ip));
+			final String name = home.resolve("t" + t + "." + ending).toString();
+			assertTrue(switch (ending) {
+				case "png" -> saver.saveAsPng(name);
+				case "jpg" -> saver.saveAsJpeg(name);
+				default -> saver.saveAsTiff(name);
+			});
+		}
+		return home;
+	}
+
+	@ParameterizedTest
+	@ValueSource(strings = {"png", "png rgb", "jpg", "tif"})
+	void folderIsAMovieInTheOrderOfItsNumbers(final String kind) throws IOException {
+		final Path folder = folder(kind.split(" ")[0], kind.endsWith("rgb"));
+		Files.writeString(folder.resolve("notes.txt"), "not an image");
+		assertMovie(ImageFile.open(folder), kind.equals("jpg") ? 60 : 0);
+		assertEquals(folder.toRealPath(),
+			ImageFile.of(ImageFile.open(folder)).orElseThrow().toRealPath());
+	}
+
+	@ParameterizedTest
+	@ValueSource(ints = {AVI_Writer.NO_COMPRESSION, AVI_Writer.JPEG_COMPRESSION,
+		AVI_Writer.PNG_COMPRESSION})
+	void aviIsATimeSeries(final int compression) throws IOException {
+		final Path file = home.resolve("m.avi");
+		new AVI_Writer().writeImage(image, file.toString(), compression, 95);
+		assertMovie(ImageFile.open(file), compression == AVI_Writer.JPEG_COMPRESSION ? 80 : 0);
+	}
+
+	@Test
+	void gifIsATimeSeries() {
+		final Path file = home.resolve("m.gif");
+		GifWriter.save(image, file.toString());
+		assertMovie(ImageFile.open(file), 0);
+	}
+
+	private void assertMovie(final ImagePlus opened, final double tolerance) {
+		final Movie movie = ImageMovie.of(opened, InputOptions.DEFAULT);
+		assertEquals(FRAMES, movie.size());
+		for (int t = 0; t < FRAMES; t++)
+			for (int y = 0; y < image.getHeight(); y++)
+				for (int x = 0; x < image.getWidth(); x++)
+					assertEquals(image.getStack().getProcessor(t + 1).get(x, y),
+						movie.frames().getAt(x, y, t).getRealDouble(), tolerance, x + "," + y + "," + t);
+	}
+
+	/** As other programs write them: numbers of a palette in any order. */
+	@Test
+	void numbersOfAPaletteBecomeGreyValues() throws IOException {
+		final byte[] down = new byte[256];
+		for (int i = 0; i < 256; i++)
+			down[i] = (byte) (255 - i);
+		for (int t = 1; t <= FRAMES; t++) {
+			final BufferedImage picture = new BufferedImage(image.getWidth(), image.getHeight(),
+				BufferedImage.TYPE_BYTE_INDEXED, new IndexColorModel(8, 256, down, down, down));
+			for (int y = 0; y < image.getHeight(); y++)
+				for (int x = 0; x < image.getWidth(); x++)
+					picture.getRaster().setSample(x, y, 0,
+						255 - image.getStack().getProcessor(t).get(x, y));
+			ImageIO.write(picture, "png", home.resolve("t" + t + ".png").toFile());
+		}
+		assertMovie(ImageFile.open(home), 0);
+	}
+
+	@Test
+	void frameThatDoesNotFitIsNamed() {
+		final Path folder = folder("png", false);
+		new FileSaver(new ImagePlus("other", image.getProcessor().resize(10)))
+			.saveAsPng(folder.resolve("t5.png").toString());
+		final String message = refusal(folder);
+		assertTrue(message.contains("t5.png is 10 x 7 of 8 bit, the first 80 x 60"), message);
+	}
+
+	@Test
+	void colourAndEmptyFoldersAreRefused() throws IOException {
+		assertTrue(refusal(Files.createDirectory(home.resolve("empty"))).contains("without images"));
+		final Path folder = folder("png", true);
+		final var ip = image.getProcessor().convertToRGB();
+		ip.set(3, 3, 0xff0000);
+		new FileSaver(new ImagePlus("red", ip)).saveAsPng(folder.resolve("t3.png").toString());
+		final String message = refusal(folder);
+		assertTrue(message.contains("t3.png is 80 x 60 of 24 bit"), message);
+	}
+
+	private static String refusal(final Path path) {
+		return assertThrows(UserException.class, () -> ImageFile.open(path)).getMessage();
+	}
+
+	/** Whatever a reader does with a file, a person can stop it. */
+	@Test
+	void readerThatDoesNotEndIsLeft() {
+		final CountDownLatch started = new CountDownLatch(1);
+		final Progress cancelled = new Progress() {
+
+			@Override
+			public void report(final String stage, final double fraction) {
+			}
+
+			@Override
+			public boolean isCancelled() {
+				return started.getCount() == 0;
+			}
+		};
+		assertThrows(CancelledException.class, () -> QuietImageJ.call(() -> {
+			started.countDown();
+			while (!Thread.currentThread().isInterrupted())
+				Thread.onSpinWait();
+			return null;
+		}, cancelled));
+	}
+}
