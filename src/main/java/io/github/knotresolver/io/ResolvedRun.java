@@ -81,7 +81,7 @@ public record ResolvedRun(String name, Optional<Path> movie, RunOptions options,
 		final Path file = movie.orElseThrow(() -> new UserException(
 			"movie is missing: the result does not tell the file of '" + name
 				+ "'; name the movie that it was made from."));
-		if (!Files.isRegularFile(file))
+		if (!Files.exists(file))
 			throw new UserException("movie is missing: " + file
 				+ ", which the result was made from, is gone; name the file where it is now.");
 		return file;

@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
@@ -156,14 +157,32 @@ public record RunIdentity(Path movie, String sha256, String version, Map<String,
 	private static String sha256(final Path file, final Progress progress) throws IOException {
 		try {
 			final MessageDigest digest = MessageDigest.getInstance("SHA-256");
-			try (InputStream in = new DigestInputStream(Files.newInputStream(file), digest)) {
-				final byte[] buffer = new byte[BUFFER];
-				while (in.read(buffer) >= 0)
-					progress.checkCancelled();
+			for (final Path part : parts(file)) {
+				if (!part.equals(file))
+					digest.update(part.getFileName().toString().getBytes(StandardCharsets.UTF_8));
+				read(part, digest, progress);
 			}
 			return HexFormat.of().formatHex(digest.digest());
 		} catch (final NoSuchAlgorithmException e) {
 			throw new IllegalStateException(e);
+		}
+	}
+
+	/** The file; of a folder with one image a frame, its files in the order of their names. */
+	private static List<Path> parts(final Path file) throws IOException {
+		if (!Files.isDirectory(file))
+			return List.of(file);
+		try (Stream<Path> files = Files.list(file)) {
+			return files.filter(Files::isRegularFile).sorted().toList();
+		}
+	}
+
+	private static void read(final Path file, final MessageDigest digest, final Progress progress)
+		throws IOException {
+		try (InputStream in = new DigestInputStream(Files.newInputStream(file), digest)) {
+			final byte[] buffer = new byte[BUFFER];
+			while (in.read(buffer) >= 0)
+				progress.checkCancelled();
 		}
 	}
 }

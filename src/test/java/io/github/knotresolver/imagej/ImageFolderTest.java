@@ -22,7 +22,7 @@ import ij.ImagePlus;
 import ij.io.FileSaver;
 import ij.plugin.GifWriter;
 import ij.plugin.filter.AVI_Writer;
-import io.github.knotresolver.io.InputOptions;
+import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.CancelledException;
