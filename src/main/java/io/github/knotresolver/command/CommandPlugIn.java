@@ -10,6 +10,7 @@ import ij.Macro;
 import ij.macro.Interpreter;
 import ij.plugin.PlugIn;
 import ij.plugin.frame.Recorder;
+import io.github.knotresolver.imagej.form.FieldKind;
 import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.imagej.form.FormDialog;
 import io.github.knotresolver.imagej.form.FormField;
@@ -83,19 +84,12 @@ public final class CommandPlugIn implements PlugIn {
 			final String text = field.text();
 			if (text.isBlank())
 				continue;
-			switch (field.kind()) {
-				case FLAG -> recordFlag(field.key(), Boolean.parseBoolean(text));
-				case FILE, FOLDER -> Recorder.recordPath(field.key(), text);
-				default -> Recorder.recordOption(field.key(), text);
-			}
+			final boolean path = field.kind() == FieldKind.FILE
+				|| field.kind() == FieldKind.FOLDER;
+			// Of a key without a value, and of a path's key, the recorder looks for the bare word,
+			// which may be a part of any value.
+			Recorder.recordOption(field.key(), path ? Recorder.fixPath(text) : text);
 		}
-	}
-
-	private static void recordFlag(final String key, final boolean set) {
-		if (set)
-			Recorder.recordOption(key);
-		else
-			Recorder.recordOption(key, "false");
 	}
 
 	private static boolean fill(final KnotCommand command, final String title,

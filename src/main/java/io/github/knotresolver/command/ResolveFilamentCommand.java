@@ -29,6 +29,7 @@ import io.github.knotresolver.imagej.ResultWriter;
 import io.github.knotresolver.imagej.RoiConverter;
 import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.io.CorrectionsCsv;
+import io.github.knotresolver.imagej.form.FormField;
 import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.ParametersJson;
 import io.github.knotresolver.io.ProgramVersion;
@@ -120,7 +121,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 	@Parameter(label = "Frames (as 1-40,45)", description = "Empty for all", required = false, persist = false)
 	private String frames = "";
 
-	@Parameter(label = "Ignore frames", description = "Frames to leave out, likewise", required = false, persist = false)
+	@Parameter(label = "Ignored frames", description = "Frames to leave out, likewise", required = false, persist = false, attrs = @Attr(name = FormField.KEY, value = "ignored"))
 	private String ignore_frames = "";
 
 	@Parameter(label = "Corrections (CSV)", description = "Contours that you drew: frame,index,x_px,y_px", required = false, persist = false)

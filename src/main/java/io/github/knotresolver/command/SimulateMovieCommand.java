@@ -18,6 +18,7 @@ import ij.macro.Interpreter;
 import io.github.knotresolver.imagej.MovieTiff;
 import io.github.knotresolver.imagej.Rendering;
 import io.github.knotresolver.imagej.SimulationRun;
+import io.github.knotresolver.imagej.form.FormField;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.options.OptionText;
@@ -60,13 +61,13 @@ public class SimulateMovieCommand extends KnotCommand {
 		"direction", "free"}, required = false, persist = false)
 	private String clamp = "pivot";
 
-	@Parameter(label = "Persistence length (µm)", description = "Empty for that of a microtubule of this length", required = false, persist = false)
+	@Parameter(label = "Persistence length (µm)", description = "Empty for that of a microtubule of this length", required = false, persist = false, attrs = @Attr(name = FormField.KEY, value = "persistence"))
 	private String persistence_length = "";
 
 	@Parameter(label = "Motor speed (µm/s)", description = "Without load", min = "0", max = "10", required = false, persist = false)
 	private double motor_speed = 0.1;
 
-	@Parameter(label = "Stall force (pN)", min = "0.1", max = "1000", required = false, persist = false)
+	@Parameter(label = "Stall load (pN)", description = "Force at which a motor stands still", min = "0.1", max = "1000", required = false, persist = false, attrs = @Attr(name = FormField.KEY, value = "stall_load"))
 	private double stall_force = 6;
 
 	@Parameter(label = "Binding rate (1/s)", description = "Of a motor within reach", min = "0", max = "1000", required = false, persist = false)
@@ -75,10 +76,10 @@ public class SimulateMovieCommand extends KnotCommand {
 	@Parameter(label = "Binding range (µm)", description = "Reach of a motor", min = "0.001", max = "0.2", required = false, persist = false)
 	private double binding_range = 0.02;
 
-	@Parameter(label = "Unbinding rate (1/s)", description = "Without load", min = "0", max = "1000", required = false, persist = false)
+	@Parameter(label = "Off rate (1/s)", description = "Of unbinding, without load", min = "0", max = "1000", required = false, persist = false, attrs = @Attr(name = FormField.KEY, value = "off_rate"))
 	private double unbinding_rate = 0.04;
 
-	@Parameter(label = "Unbinding force (pN)", description = "Load that speeds up unbinding e-fold", min = "0.1", max = "1000", required = false, persist = false)
+	@Parameter(label = "Unbinding load (pN)", description = "Force that speeds up unbinding e-fold", min = "0.1", max = "1000", required = false, persist = false, attrs = @Attr(name = FormField.KEY, value = "unbinding_load"))
 	private double unbinding_force = 3;
 
 	@Parameter(label = "Motor stiffness (pN/µm)", description = "Of a motor's linker", min = "1", max = "10000", required = false, persist = false)

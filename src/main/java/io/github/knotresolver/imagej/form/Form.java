@@ -43,17 +43,17 @@ public final class Form {
 		return fields;
 	}
 
-	/** @return all values as text, by key */
+	/** @return all values as text, by the option's name */
 	public Map<String, String> texts() {
 		final Map<String, String> texts = new LinkedHashMap<>();
-		fields.forEach(f -> texts.put(f.key(), f.text()));
+		fields.forEach(f -> texts.put(f.name(), f.text()));
 		return texts;
 	}
 
 	/**
 	 * Fills in values; what is not named keeps its default.
 	 *
-	 * @param texts values by key
+	 * @param texts values by key or name
 	 * @throws UserException if there is no such key, or its value is not
 	 *           allowed; in one sentence
 	 */
@@ -88,7 +88,7 @@ public final class Form {
 	}
 
 	private FormField field(final String key) {
-		return fields.stream().filter(f -> f.key().equals(key)).findFirst().orElseThrow(
+		return fields.stream().filter(f -> f.isCalled(key)).findFirst().orElseThrow(
 			() -> new UserException("There is no key '" + key + "'; the keys are "
 				+ fields.stream().map(FormField::key).collect(Collectors.joining(", ")) + "."));
 	}

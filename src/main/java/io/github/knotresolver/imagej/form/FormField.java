@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
+import org.scijava.plugin.Attr;
 import org.scijava.plugin.Parameter;
 
 import ij.ImagePlus;
@@ -14,10 +15,15 @@ import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.OptionText;
 
 /**
- * One {@code @Parameter} of a Command. Its key in macros is the name of the
- * Java field; its label starts with the same words.
+ * One {@code @Parameter} of a Command. Its name is that of the Java field and of the option on the
+ * command line; its label starts with the words of its key. In macros it has the same name, and,
+ * where the name ends like another one's, a key of its own: ImageJ's recorder looks for
+ * {@code force=} anywhere in a line and so takes {@code stall_force=6} for a key that comes twice.
  */
 public final class FormField {
+
+	/** The attribute of a {@code @Parameter} that has a key of its own. */
+	public static final String KEY = "key";
 
 	private final Object command;
 	private final Field field;
@@ -32,9 +38,20 @@ public final class FormField {
 		field.setAccessible(true);
 	}
 
-	/** @return the key in macros */
-	public String key() {
+	/** @return the option's name, which macros may say, too */
+	public String name() {
 		return field.getName();
+	}
+
+	/** @return the key in macros, as it is recorded */
+	public String key() {
+		return Arrays.stream(parameter.attrs()).filter(a -> a.name().equals(KEY)).map(Attr::value)
+			.findFirst().orElse(name());
+	}
+
+	/** @return whether macros may call it so */
+	boolean isCalled(final String word) {
+		return word.equals(key()) || word.equals(name());
 	}
 
 	/** @return what the dialog shows beside it */
