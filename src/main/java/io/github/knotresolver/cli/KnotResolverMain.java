@@ -2,6 +2,8 @@ package io.github.knotresolver.cli;
 
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.io.Failure;
@@ -25,6 +27,9 @@ import picocli.CommandLine.Spec;
 public final class KnotResolverMain implements Runnable {
 
 	private static final String MORE_MEMORY = "give Java more, such as JAVA_OPTS=-Xmx8g";
+
+	private static final Pattern KEY = Pattern
+		.compile("(^|\\badd |(?<![\\w/.])(?=[a-z]+_))([a-z_]+)(?![\\w/.])");
 
 	@Spec
 	private CommandSpec spec;
@@ -134,13 +139,16 @@ public final class KnotResolverMain implements Runnable {
 		return status;
 	}
 
-	/** Macros say {@code contraction_bias}, the command line says it so. */
+	/**
+	 * Macros say {@code contraction_bias}, the command line {@code --contraction-bias}. A key is a
+	 * message's first word, what is to be added, or has an underscore; other words only look alike.
+	 */
 	private static String asOption(final CommandLine command, final String message) {
-		final String key = message.split(" ", 2)[0];
-		final String option = "--" + key.replace('_', '-');
-		return command.getCommandSpec().findOption(option) == null
-			? message
-			: option + message.substring(key.length());
+		return KEY.matcher(message).replaceAll(match -> {
+			final String option = "--" + match.group(2).replace('_', '-');
+			final boolean known = command.getCommandSpec().findOption(option) != null;
+			return Matcher.quoteReplacement(known ? match.group(1) + option : match.group());
+		});
 	}
 
 	/** Says which version this is. */

@@ -14,6 +14,7 @@ import org.scijava.widget.FileWidget;
 
 import io.github.knotresolver.imagej.Batch;
 import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.imagej.form.MacroOptions;
 import io.github.knotresolver.io.BatchList;
 import io.github.knotresolver.io.BatchOutcome.Status;
@@ -59,8 +60,9 @@ public class BatchCommand extends KnotCommand {
 			throw new UserException((input == null ? "input" : "out")
 				+ " is missing; name a sheet or a folder of movies as input, and a folder for the results as out.");
 		final Map<String, String> texts = new TreeMap<>();
+		final Form resolve = Form.of(new ResolveFilamentCommand());
 		MacroOptions.parse(options == null ? "" : options, name -> null).values()
-			.forEach((key, value) -> texts.put(key, value.orElse("true")));
+			.forEach((key, value) -> texts.put(resolve.name(key), value.orElse("true")));
 		RunOptions.parse(texts);
 		final BatchSheet sheet = MovieFolder.read(input.toPath());
 		if (!sheet.unknownColumns().isEmpty())

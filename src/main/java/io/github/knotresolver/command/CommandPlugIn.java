@@ -2,6 +2,7 @@ package io.github.knotresolver.command;
 
 import java.awt.GraphicsEnvironment;
 import java.util.Locale;
+import java.util.Optional;
 
 import org.scijava.plugin.Plugin;
 
@@ -26,6 +27,9 @@ import io.github.knotresolver.io.Failure;
  */
 public final class CommandPlugIn implements PlugIn {
 
+	/** The user does not go on. */
+	private static final Failure GIVEN_UP = new Failure(Failure.Kind.CANCELLED, "");
+
 	private static final String DOCS = "https://github.com/knotresolver/knotresolver-fiji/blob/main/docs/fiji.md";
 
 	/**
@@ -36,8 +40,60 @@ public final class CommandPlugIn implements PlugIn {
 		final KnotCommand command = create(arg);
 		final String title = command.getClass().getAnnotation(Plugin.class).label();
 		final String options = Macro.getOptions();
-		if (options == null ? askPerson(command, title) : fill(command, title, options))
-			execute(command, title, options == null && isInteractive());
+		if (options != null) {
+			if (fill(command, title, options))
+				execute(command, title);
+		} else if (isInteractive() && !Form.of(command).fields().isEmpty())
+			converse(command, arg, title);
+		else
+			// Without a person to ask, all values keep their defaults.
+			execute(command, title);
+	}
+
+	/** Until the Command is done or given up: what it refuses, the dialog shows again. */
+	private static void converse(final KnotCommand first, final String arg, final String title) {
+		KnotCommand command = first;
+		Optional<String> problem = Optional.empty();
+		while (ask(command, title, problem)) {
+			final Optional<Failure> failure = attempt(command, title);
+			if (failure.isEmpty())
+				return;
+			problem = failure.filter(CommandPlugIn::canBeMended).map(Failure::sentence);
+			if (problem.isEmpty()) {
+				stop(title, failure.get().sentence(), true);
+				return;
+			}
+			final KnotCommand next = create(arg);
+			Form.of(next).fill(Form.of(command).texts());
+			command = next;
+		}
+		giveUp();
+	}
+
+	private static boolean ask(final KnotCommand command, final String title,
+		final Optional<String> problem) {
+		final String anchor = title.toLowerCase(Locale.ROOT).replaceAll("[^a-z ]", "").replace(' ',
+			'-');
+		return new FormDialog(Form.of(command), title, DOCS + "#" + anchor, command::check)
+			.ask(problem);
+	}
+
+	/** Why there is no result; empty if there is one. */
+	private static Optional<Failure> attempt(final KnotCommand command, final String title) {
+		try {
+			if (!command.askForMissing())
+				return Optional.of(GIVEN_UP);
+		} catch (final RuntimeException e) {
+			return Optional.of(Failure.of(e, KnotCommand.MORE_MEMORY));
+		}
+		if (Recorder.record)
+			record(Form.of(command), title);
+		command.run();
+		return command.failure();
+	}
+
+	private static boolean canBeMended(final Failure failure) {
+		return failure.kind() == Failure.Kind.USER || failure.kind() == Failure.Kind.DISK;
 	}
 
 	private static KnotCommand create(final String name) {
@@ -53,33 +109,8 @@ public final class CommandPlugIn implements PlugIn {
 		return !GraphicsEnvironment.isHeadless() && !Interpreter.isBatchMode();
 	}
 
-	/** Without a person to ask, all values keep their defaults. */
-	private static boolean askPerson(final KnotCommand command, final String title) {
-		final Form form = Form.of(command);
-		if (form.fields().isEmpty() || !isInteractive())
-			return true;
-		final String anchor = title.toLowerCase(Locale.ROOT).replaceAll("[^a-z ]", "").replace(' ',
-			'-');
-		if (!new FormDialog(form, title, DOCS + "#" + anchor).ask() || !hasAll(command, title)) {
-			Recorder.setCommand(null);
-			Macro.abort();
-			return false;
-		}
-		if (Recorder.record)
-			record(form);
-		return true;
-	}
-
-	private static boolean hasAll(final KnotCommand command, final String title) {
-		try {
-			return command.askForMissing();
-		} catch (final RuntimeException e) {
-			stop(title, Failure.of(e, KnotCommand.MORE_MEMORY).sentence(), true);
-			return false;
-		}
-	}
-
-	private static void record(final Form form) {
+	private static void record(final Form form, final String title) {
+		Recorder.setCommand(title);
 		for (final FormField field : form.fields()) {
 			final String text = field.text();
 			if (text.isBlank())
@@ -108,27 +139,33 @@ public final class CommandPlugIn implements PlugIn {
 		return macro == null ? null : macro.getVariableAsString(name);
 	}
 
-	private static void execute(final KnotCommand command, final String title,
-		final boolean interactive) {
+	private static void execute(final KnotCommand command, final String title) {
 		command.run();
-		if (command.isCanceled())
-			stop(title, command.getCancelReason(), interactive);
+		command.failure().ifPresent(f -> stop(title, f.sentence(),
+			isInteractive() && Macro.getOptions() == null && Interpreter.getInstance() == null));
 	}
 
 	/** A person sees the sentence, a macro ends with it in the log. */
 	private static void stop(final String title, final String sentence, final boolean interactive) {
-		final Interpreter macro = Interpreter.getInstance();
-		if (interactive && macro == null) {
-			Recorder.setCommand(null);
-			IJ.showMessage(title, sentence);
+		if (interactive) {
+			if (!sentence.isEmpty())
+				IJ.showMessage(title, sentence);
+			giveUp();
 			return;
 		}
 		IJ.log(title + " " + sentence);
+		final Interpreter macro = Interpreter.getInstance();
 		if (macro != null) {
 			// Without this, ImageJ would show the sentence in a dialog.
 			macro.setIgnoreErrors(true);
 			macro.abort(sentence);
 		}
+		Macro.abort();
+	}
+
+	/** Nothing is recorded, and a macro that opened the dialog ends. */
+	private static void giveUp() {
+		Recorder.setCommand(null);
 		Macro.abort();
 	}
 }

@@ -1,6 +1,7 @@
 package io.github.knotresolver.command;
 
 import java.io.IOException;
+import java.util.Optional;
 
 import org.scijava.app.StatusService;
 import org.scijava.command.ContextCommand;
@@ -30,21 +31,39 @@ abstract class KnotCommand extends ContextCommand {
 	@Parameter(required = false)
 	private StatusService status;
 
+	private Optional<Failure> failure = Optional.empty();
+
 	@Override
 	public final void run() {
 		try (CommandProgress progress = new CommandProgress(status, this::isCanceled)) {
-			Form.of(this).check();
+			check();
 			work(progress);
 		} catch (final RuntimeException | IOException | Error e) {
 			end(Failure.of(e, MORE_MEMORY));
 		}
 	}
 
-	private void end(final Failure failure) {
-		if (failure.kind() == Failure.Kind.CANCELLED)
-			cancel(failure.sentence());
+	private void end(final Failure ended) {
+		failure = Optional.of(ended);
+		if (ended.kind() == Failure.Kind.CANCELLED)
+			cancel(ended.sentence());
 		else
-			refuse(failure.sentence());
+			refuse(ended.sentence());
+	}
+
+	/** @return why the last run ended early; empty if it did not */
+	final Optional<Failure> failure() {
+		return failure;
+	}
+
+	/**
+	 * Checks what can be known of the values before the work, quickly: a dialog stays open until
+	 * this succeeds.
+	 *
+	 * @throws UserException if they cannot be used, in one sentence
+	 */
+	void check() {
+		Form.of(this).check();
 	}
 
 	/**

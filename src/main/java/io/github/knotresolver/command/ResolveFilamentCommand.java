@@ -24,6 +24,7 @@ import io.github.knotresolver.imagej.ContourTables;
 import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageMovie;
+import io.github.knotresolver.imagej.ImageView;
 import io.github.knotresolver.imagej.ResultDisplay;
 import io.github.knotresolver.imagej.ResultWriter;
 import io.github.knotresolver.imagej.RoiConverter;
@@ -186,6 +187,12 @@ public class ResolveFilamentCommand extends KnotCommand {
 	}
 
 	@Override
+	void check() {
+		super.check();
+		RunOptions.parse(texts());
+	}
+
+	@Override
 	void work(final Progress progress) throws IOException {
 		final long start = System.nanoTime();
 		final ImagePlus input = input(progress);
@@ -210,6 +217,8 @@ public class ResolveFilamentCommand extends KnotCommand {
 		show(input, result, rois);
 		resolution = result.tracks();
 		report(result, options.input(), System.nanoTime() - start);
+		if (!GraphicsEnvironment.isHeadless())
+			ImageView.front(input, result.tracks());
 	}
 
 	private MeasuredTracks resolve(final ImagePlus input, final RunOptions options,
@@ -231,17 +240,22 @@ public class ResolveFilamentCommand extends KnotCommand {
 		return active;
 	}
 
-	/** All options as text, by the keys that all front doors share. */
-	private Map<String, String> texts(final ImagePlus input) {
+	/** All options as text, by the names that all front doors share. */
+	private Map<String, String> texts() {
 		final Map<String, String> texts = Form.of(this).texts();
 		texts.keySet().retainAll(RunOptions.KEYS);
+		if (threads == 0)
+			texts.remove("threads");
+		return texts;
+	}
+
+	private Map<String, String> texts(final ImagePlus input) {
+		final Map<String, String> texts = texts();
 		if (texts.get("fixed_end").isBlank())
 			texts.put("fixed_end",
 				RoiConverter.point(input.getRoi()).map(Point::toString).orElse(""));
 		if (texts.get("region").isBlank())
 			texts.put("region", RoiConverter.region(input).map(Region::toString).orElse(""));
-		if (threads == 0)
-			texts.remove("threads");
 		return texts;
 	}
 

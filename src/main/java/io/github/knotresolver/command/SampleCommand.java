@@ -10,6 +10,7 @@ import org.scijava.plugin.Plugin;
 
 import ij.ImagePlus;
 import ij.macro.Interpreter;
+import io.github.knotresolver.imagej.ImageView;
 import io.github.knotresolver.imagej.SampleMovie;
 import io.github.knotresolver.progress.Progress;
 
@@ -24,6 +25,6 @@ public class SampleCommand extends KnotCommand {
 	void work(final Progress progress) {
 		sample = SampleMovie.open();
 		if (!GraphicsEnvironment.isHeadless() || Interpreter.isBatchMode())
-			sample.show();
+			ImageView.show(sample);
 	}
 }

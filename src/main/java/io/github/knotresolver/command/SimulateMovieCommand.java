@@ -15,6 +15,7 @@ import org.scijava.widget.FileWidget;
 
 import ij.ImagePlus;
 import ij.macro.Interpreter;
+import io.github.knotresolver.imagej.ImageView;
 import io.github.knotresolver.imagej.MovieTiff;
 import io.github.knotresolver.imagej.Rendering;
 import io.github.knotresolver.imagej.SimulationRun;
@@ -150,6 +151,12 @@ public class SimulateMovieCommand extends KnotCommand {
 	private ImagePlus simulated;
 
 	@Override
+	void check() {
+		super.check();
+		new SimulationRun(parameters(), rendering());
+	}
+
+	@Override
 	void work(final Progress progress) throws IOException {
 		final SimulationRun run = new SimulationRun(parameters(), rendering());
 		final SimulatedMovie movie;
@@ -163,7 +170,7 @@ public class SimulateMovieCommand extends KnotCommand {
 			}
 		simulated = MovieTiff.image(movie.movie());
 		if (!GraphicsEnvironment.isHeadless() || Interpreter.isBatchMode())
-			simulated.show();
+			ImageView.show(simulated);
 		say(SimulationRun.report(movie));
 	}
 

@@ -42,7 +42,7 @@ final class MovieChecks {
 				name + " has one frame only, but a movie has several; open the whole stack.");
 		if (ImageMovie.isAlongZ(image) && !options.zAsTime())
 			throw new UserException(name + " is a Z-stack of " + slices
-				+ " slices, not a time series; if the slices are frames, add --z-as-time (in ImageJ: z_as_time, or swap Z and T in Image > Properties).");
+				+ " slices, not a time series; if the slices are frames, add z_as_time, or swap Z and T in ImageJ's Image > Properties.");
 	}
 
 	private static void requireChannelsAsTime(final String name, final ImagePlus image,

@@ -1,7 +1,5 @@
 package io.github.knotresolver.imagej;
 
-import java.awt.EventQueue;
-import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -46,7 +44,8 @@ public final class ResultDisplay {
 	 * @param manager the ROI Manager
 	 */
 	public void fill(final RoiManager manager) {
-		onEventThread(() -> {
+		// The manager's list is a Swing component.
+		ImageView.onEventThread(() -> {
 			// The recorder shall not see what is a part of this Command.
 			manager.allowRecording(false);
 			try {
@@ -76,21 +75,6 @@ public final class ResultDisplay {
 		for (int i = manager.getCount() - 1; i >= 0; i--)
 			if (image.getTitle().equals(manager.getRoi(i).getProperty(OF_IMAGE)))
 				manager.delete(i);
-	}
-
-	/** The manager's list is a Swing component. */
-	private static void onEventThread(final Runnable work) {
-		if (EventQueue.isDispatchThread()) {
-			work.run();
-			return;
-		}
-		try {
-			EventQueue.invokeAndWait(work);
-		} catch (final InterruptedException e) {
-			Thread.currentThread().interrupt();
-		} catch (final InvocationTargetException e) {
-			throw new IllegalStateException(e.getCause());
-		}
 	}
 
 	/**

@@ -3,6 +3,7 @@ package io.github.knotresolver.command;
 import java.awt.Checkbox;
 import java.awt.Dialog;
 import java.awt.Frame;
+import java.awt.Rectangle;
 import java.awt.TextArea;
 import java.awt.TextField;
 import java.awt.event.KeyEvent;
@@ -99,7 +100,9 @@ final class DialogsMain {
 		scenes.put("no open image", this::noImage);
 		scenes.put("RGB is refused with advice", this::rgb);
 		scenes.put("one frame is no movie", this::oneFrame);
-		scenes.put("a wrong value comes back to the dialog", this::wrongValue);
+		scenes.put("a wrong value is marked in the dialog, which stays", this::wrongValue);
+		scenes.put("a simulation is recorded and replayed", this::simulationIsRecorded);
+		scenes.put("the image is large and in front at the end", this::imageIsInFront);
 		scenes.put("closing the dialog does nothing", this::dialogIsClosed);
 		scenes.put("a missing movie file", this::missingFile);
 		scenes.put("a batch without its folder", this::batchWithoutFolder);
@@ -157,7 +160,7 @@ final class DialogsMain {
 		finished();
 		require(image.getNSlices() == 24 && image.getNFrames() == 1, "The image was changed.");
 		require(image.getOverlay().get(16).getPosition() == 2, "The ROI is on another slice.");
-		require(recorded().contains("z_as_time "), recorded());
+		require(recorded().contains("z_as_time=true "), recorded());
 	}
 
 	private void zIsNotTime() throws Exception {
@@ -245,13 +248,60 @@ final class DialogsMain {
 		Windows.type(dialog, "Iterations", "1001");
 		Windows.type(dialog, "Length (if", "15");
 		Windows.press(dialog, "OK");
-		final Dialog message = Windows.dialog(RESOLVE, "iterations must be a whole number");
-		message.dispose();
-		final Dialog again = Windows.dialog(RESOLVE, "Iterations");
-		final List<String> typed = Windows.all(again, TextField.class).stream()
-			.map(TextField::getText).toList();
-		require(typed.containsAll(List.of("1001", "15")), "typed: " + typed);
-		Windows.press(again, "Cancel");
+		Windows.dialog(RESOLVE, "iterations must be a whole number from 0 to 1000");
+		require(dialog.isShowing() && Windows.dialogs().count() == 1, "It is another dialog.");
+		final TextField wrong = Windows.field(dialog, "Iterations");
+		require(wrong.getText().equals("1001") && wrong.getBackground().getGreen() < 230,
+			"It is not marked.");
+		require(Windows.field(dialog, "Length (if").getText().equals("15"), "15 is lost.");
+		Windows.type(dialog, "Iterations", "10");
+		Windows.type(dialog, "Frames", "1-99");
+		Windows.press(dialog, "OK");
+		// That the movie has fewer frames shows when it is read: the dialog comes again.
+		final Dialog again = Windows.dialog(RESOLVE, "frames names frame 99");
+		require(Windows.field(again, "Frames").getBackground().getGreen() < 230, "Not marked.");
+		require(Windows.field(again, "Length (if").getText().equals("15"), "15 is lost.");
+		require(recorded().isEmpty(), recorded());
+		Windows.type(again, "Frames", "1-3");
+		Windows.press(again, "OK");
+		finished();
+		Windows.await("line", () -> recorded().contains("frames=1-3"));
+		require(!recorded().contains("1-99"), recorded());
+	}
+
+	/** Its keys are many, and end alike. */
+	private void simulationIsRecorded() throws Exception {
+		Windows.start("Simulate Movie...");
+		final Dialog dialog = Windows.dialog("Simulate Movie...");
+		Windows.type(dialog, "Frames", "3");
+		Windows.type(dialog, "Duration", "1");
+		Windows.type(dialog, "Length", "5");
+		Windows.type(dialog, "Out", home.resolve("out force movie").toString());
+		for (final Checkbox box : Windows.all(dialog, Checkbox.class))
+			box.setState(true);
+		Windows.press(dialog, "OK");
+		Windows.await("movie", () -> WindowManager.getImageCount() == 1);
+		final String start = "run(\"Simulate Movie...\", \"length=5 ";
+		Windows.await("line", () -> Recorder.getInstance().getText().contains(start));
+		final String line = Recorder.getInstance().getText().lines()
+			.filter(l -> l.startsWith(start)).findFirst().orElseThrow();
+		require(line.contains("stall_load=6") && line.contains("force=true"), line);
+		IJ.runMacro(line);
+		require(WindowManager.getImageCount() == 2, "Not replayed: " + line + log());
+	}
+
+	private void imageIsInFront() throws Exception {
+		IJ.run("Knotted Filament");
+		final ImagePlus image = WindowManager.getCurrentImage();
+		final int whole = image.getCanvas().getWidth();
+		require(whole >= 300, "The sample is " + whole + " pixels wide.");
+		ok("1-3");
+		finished();
+		Windows.await("front", () -> image.getWindow().isActive());
+		final Rectangle seen = image.getCanvas().getSrcRect();
+		require(image.getCanvas().getMagnification() >= 3, "" + image.getCanvas().getMagnification());
+		require(image.getOverlay() != null && WindowManager.getCurrentImage() == image, "" + seen);
+		require(WindowManager.getWindow("Log") != null, "There is no log.");
 	}
 
 	private void dialogIsClosed() throws Exception {

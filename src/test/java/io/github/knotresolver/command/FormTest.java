@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
@@ -65,11 +66,31 @@ class FormTest {
 		}
 	}
 
+	/** ImageJ's recorder looks for {@code force=} anywhere, and finds it in {@code stall_force=}. */
+	@ParameterizedTest
+	@MethodSource("commands")
+	void noKeyIsTheEndOfAnother(final KnotCommand command) {
+		final List<String> keys = Form.of(command).fields().stream().map(FormField::key).toList();
+		for (final String key : keys)
+			for (final String other : keys)
+				assertTrue(key.equals(other) || !other.endsWith(key), key + " ends " + other);
+		assertEquals(keys.size(), Set.copyOf(keys).size());
+	}
+
 	@Test
-	void resolveHasTheKeysOfTheCommandLine() {
-		final List<String> keys = Form.of(new ResolveFilamentCommand()).fields().stream()
-			.map(FormField::key).toList();
-		assertTrue(keys.containsAll(RunOptions.KEYS), keys.toString());
+	void resolveHasTheNamesOfTheCommandLine() {
+		final List<String> names = Form.of(new ResolveFilamentCommand()).fields().stream()
+			.map(FormField::name).toList();
+		assertTrue(names.containsAll(RunOptions.KEYS), names.toString());
+	}
+
+	@ParameterizedTest
+	@CsvSource({"ignored, ignore_frames", "ignore_frames, ignore_frames"})
+	void macrosMayUseTheNamesOfTheCommandLine(final String key, final String name) {
+		final Form form = Form.of(new ResolveFilamentCommand());
+		form.fill(MacroOptions.parse(key + "=3,4", n -> null));
+		assertEquals("3,4", form.texts().get(name));
+		assertEquals("", form.texts().get("frames"));
 	}
 
 	@Test
@@ -105,6 +126,7 @@ class FormTest {
 		"length_model=soft | length_model must be auto or constant or free, but is 'soft'.",
 		"image=[no such] | image must be the title of an open image, but is 'no such'.",
 		"threshold | threshold needs a value, such as threshold=[otsu]; it must be text.",
+		"ignored=3 ignore_frames=4 | The keys 'ignored' and 'ignore_frames' mean the same; name one of them.",
 		"force force | The key 'force' is there twice; name it once.",
 		"out=[/a | The value of out has no closing ']'; add it.",
 		"threads=&n | threads is &n, but the macro has no variable of that name; define it before."})

@@ -103,6 +103,11 @@ final class Windows {
 		return found;
 	}
 
+	/** The field that follows the words. */
+	static TextField field(final Container dialog, final String label) {
+		return fieldAfter(dialog, label, TextField.class);
+	}
+
 	/** Types into the field that follows the words. */
 	static void type(final Container dialog, final String label, final String text) {
 		fieldAfter(dialog, label, TextField.class).setText(text);

@@ -2,10 +2,14 @@ package io.github.knotresolver.imagej.form;
 
 import java.lang.reflect.Field;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 import org.scijava.plugin.Parameter;
 
@@ -69,8 +73,12 @@ public final class Form {
 	 * @throws UserException likewise
 	 */
 	public void fill(final MacroOptions options) {
+		final Set<FormField> named = new HashSet<>();
 		options.values().forEach((key, text) -> {
 			final FormField field = field(key);
+			if (!named.add(field))
+				throw new UserException("The keys '" + field.key() + "' and '" + field.name()
+					+ "' mean the same; name one of them.");
 			if (text.isEmpty() && field.kind() != FieldKind.FLAG)
 				throw new UserException(key + " needs a value, such as " + key + "=["
 					+ field.text() + "]; it must be " + field.allowed() + ".");
@@ -85,6 +93,26 @@ public final class Form {
 	 */
 	public void check() {
 		fields.forEach(FormField::check);
+	}
+
+	/**
+	 * @param key a key or a name
+	 * @return the option's name; the key itself if there is none
+	 */
+	public String name(final String key) {
+		return fields.stream().filter(f -> f.isCalled(key)).map(FormField::name).findFirst()
+			.orElse(key);
+	}
+
+	/**
+	 * @param sentence why a Command refuses
+	 * @return the field that it is about: the one that it begins with, or else the first that it
+	 *         names by a key with an underscore
+	 */
+	Optional<FormField> mentioned(final String sentence) {
+		final String[] words = sentence.split("[^A-Za-z_]+");
+		return Stream.concat(Stream.of(words).limit(1), Stream.of(words).filter(w -> w.contains("_")))
+			.flatMap(word -> fields.stream().filter(f -> f.isCalled(word))).findFirst();
 	}
 
 	private FormField field(final String key) {
