@@ -146,7 +146,7 @@ public final class ResolveOptions {
 			.writes(c -> selection(c.settings().frames())),
 
 		option("ignore_frames", Kind.TEXT).basic(Section.FRAMES).takes("LIST")
-			.label("Ignore frames").help("Frames to leave out, such as 7,12-15")
+			.label("Ignored frames").help("Frames to leave out, such as 7,12-15")
 			.byDefault("none").range("frames of the movie")
 			.reads(
 				(d, t) -> d.settings.ignoreFrames(FrameSelection.parse("ignore_frames", t)))

@@ -1,13 +1,17 @@
 package io.github.knotresolver.command;
 
+import java.awt.AWTException;
 import java.awt.Checkbox;
+import java.awt.Component;
 import java.awt.Dialog;
 import java.awt.Frame;
 import java.awt.Rectangle;
+import java.awt.Robot;
 import java.awt.TextArea;
 import java.awt.TextField;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
+import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -26,6 +30,7 @@ import ij.IJ;
 import ij.ImageJ;
 import ij.ImagePlus;
 import ij.WindowManager;
+import ij.gui.ImageCanvas;
 import ij.gui.Overlay;
 import ij.gui.PointRoi;
 import ij.gui.Roi;
@@ -297,11 +302,19 @@ final class DialogsMain {
 		require(whole >= 300, "The sample is " + whole + " pixels wide.");
 		ok("1-3");
 		finished();
-		Windows.await("front", () -> image.getWindow().isActive());
-		final Rectangle seen = image.getCanvas().getSrcRect();
-		require(image.getCanvas().getMagnification() >= 3, "" + image.getCanvas().getMagnification());
-		require(image.getOverlay() != null && WindowManager.getCurrentImage() == image, "" + seen);
+		final ImageCanvas canvas = image.getCanvas();
+		require(canvas.getMagnification() >= 3, "magnified " + canvas.getMagnification());
+		require(image.getOverlay() != null && WindowManager.getCurrentImage() == image,
+			"It is not the active image.");
 		require(WindowManager.getWindow("Log") != null, "There is no log.");
+		// Tables and log are white, the image is dark.
+		Windows.await("front", () -> brightness(canvas) < 128);
+	}
+
+	private static double brightness(final Component component) throws AWTException {
+		final BufferedImage seen = new Robot().createScreenCapture(
+			new Rectangle(component.getLocationOnScreen(), component.getSize()));
+		return new ImagePlus("seen", seen).getProcessor().convertToByte(false).getStats().mean;
 	}
 
 	private void dialogIsClosed() throws Exception {

@@ -94,7 +94,7 @@ class ResolveFilamentCommandTest {
 		final CommandInfo info = context.service(CommandService.class)
 			.getCommand(ResolveFilamentCommand.class);
 		final Map<String, FormField> fields = Form.of(new ResolveFilamentCommand()).fields()
-			.stream().collect(Collectors.toMap(FormField::key, f -> f));
+			.stream().collect(Collectors.toMap(FormField::name, f -> f));
 		for (final Option option : ResolveOptions.ALL) {
 			final ModuleItem<?> input = info.getInput(option.key());
 			final FormField field = fields.get(option.key());
