@@ -89,7 +89,7 @@ public final class OutputFiles implements AutoCloseable {
 				+ " is there already and was not written by this program; choose another file.");
 		if (!overwrite)
 			throw new UserException("out " + out
-				+ " is there already; choose another file, or add --force to replace it.");
+				+ " is there already; choose another file, or add force to replace it.");
 	}
 
 	/** @return the folder to write the files into, under their own names */

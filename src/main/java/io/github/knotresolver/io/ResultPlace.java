@@ -133,7 +133,7 @@ record ResultPlace(Path out, Path target, Path base) {
 				+ ", which is never replaced by " + kind.label() + "; choose another folder.");
 		if (!overwrite)
 			throw new UserException("out " + out
-				+ " already holds a result; choose another one, or add --force to replace it.");
+				+ " already holds a result; choose another one, or add force to replace it.");
 		for (final String name : own(kind))
 			if (Files.isDirectory(target.resolve(name)))
 				throw new UserException("out " + out + " has a folder named " + name
