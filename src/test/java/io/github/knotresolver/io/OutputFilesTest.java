@@ -38,7 +38,7 @@ class OutputFilesTest {
 	@Test
 	void nothingIsOverwrittenUnasked() throws IOException {
 		final Path file = Files.writeString(home.resolve("a.csv"), "ours");
-		assertTrue(refusal("a.csv", false).contains("--force"));
+		assertTrue(refusal("a.csv", false).contains("add force"));
 		reserve("a.csv", true).close();
 		assertTrue(refusal("a.csv", true, file).contains("is a file that is read"));
 		Files.writeString(file, "theirs");

@@ -75,7 +75,7 @@ class ResultFolderTest {
 		write("old", false);
 		Files.writeString(out.resolve("overlay.avi"), "old");
 		final String refusal = refusal(false);
-		assertTrue(refusal.contains("--force"), refusal);
+		assertTrue(refusal.contains("add force"), refusal);
 		assertEquals("old", Files.readString(out.resolve(FramesCsv.FILE)));
 
 		write("new", true);
@@ -279,7 +279,7 @@ class ResultFolderTest {
 		write("old", false);
 		Files.move(out, home.resolve(".result.old-1-abc"));
 		Files.createDirectory(home.resolve(".result.partial-1-abd"));
-		assertTrue(refusal(false).contains("--force"));
+		assertTrue(refusal(false).contains("add force"));
 		assertEquals("old", Files.readString(out.resolve(FramesCsv.FILE)));
 		assertEquals(List.of("result"), FileTrees.names(home));
 	}
@@ -292,7 +292,7 @@ class ResultFolderTest {
 		write("old", false);
 		Files.move(out, home.resolve(".result.old-1-abc"));
 		out = wanted;
-		assertTrue(refusal(false).contains("--force"));
+		assertTrue(refusal(false).contains("add force"));
 		assertEquals("new", Files.readString(out.resolve(FramesCsv.FILE)));
 		assertEquals(List.of("result"), FileTrees.names(home));
 	}
@@ -321,7 +321,7 @@ class ResultFolderTest {
 				Files.delete(list);
 			if (steps > 4)
 				Files.move(commit.resolve(FramesCsv.FILE), out.resolve(FramesCsv.FILE));
-			assertTrue(refusal(false).contains("--force"), "step " + steps);
+			assertTrue(refusal(false).contains("add force"), "step " + steps);
 			assertEquals("new", Files.readString(out.resolve(FramesCsv.FILE)), "step " + steps);
 			assertEquals(List.of(FramesCsv.FILE, "mine.txt", ParametersJson.FILE),
 				FileTrees.names(out), "step " + steps);
