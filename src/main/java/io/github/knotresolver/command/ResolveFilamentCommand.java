@@ -85,9 +85,13 @@ public class ResolveFilamentCommand extends KnotCommand {
 	@Parameter(label = "Smooth factor", description = "Of the mask's outline", min = "0", max = "10", stepSize = "0.1", required = false, persist = false)
 	private double smooth_factor = 0.2;
 
-	@Parameter(label = "Segmentation", description = "What makes the mask; one step alone is a baseline to compare with", choices = {
-		"both", "threshold", "active_contour"}, required = false, persist = false)
-	private String segmentation = "both";
+	@Parameter(label = "Segmentation", description = "What makes the mask; threshold and published method get both", choices = {
+		"evidence", "both", "threshold", "active_contour"}, required = false, persist = false)
+	private String segmentation = "evidence";
+
+	@Parameter(label = "Polarity", description = "Whether filaments are brighter or darker than their background", choices = {
+		"auto", "bright", "dark"}, required = false, persist = false)
+	private String polarity = "auto";
 
 	@Parameter(label = "LoG size (px, odd; 0: off)", description = "Edge of a Laplacian of Gaussian, for uneven background", min = "0", max = "99", required = false, persist = false)
 	private int log_size = 0;

@@ -108,6 +108,28 @@ public final class Pixels {
 		return ArrayImgs.bits(new LongArray(packed), width, bits.length / width);
 	}
 
+	/**
+	 * @param values the pixels, row-major
+	 * @param width their number in a row
+	 * @param x column; the nearest within the frame is taken
+	 * @param y row, likewise
+	 * @return the value there, interpolated linearly along both axes
+	 */
+	public static double between(final float[] values, final int width, final double x,
+		final double y) {
+		final int height = values.length / width;
+		final double u = Math.min(Math.max(x, 0), width - 1);
+		final double v = Math.min(Math.max(y, 0), height - 1);
+		final int left = (int) u, up = (int) v;
+		final int right = Math.min(left + 1, width - 1);
+		final int row = up * width, next = Math.min(up + 1, height - 1) * width;
+		final double above = values[row + left]
+			+ (u - left) * (values[row + right] - values[row + left]);
+		final double below = values[next + left]
+			+ (u - left) * (values[next + right] - values[next + left]);
+		return above + (v - up) * (below - above);
+	}
+
 	private static void requireTwoDimensions(final RandomAccessibleInterval<?> image) {
 		if (image.numDimensions() != 2)
 			throw new IllegalArgumentException(

@@ -1,5 +1,7 @@
 package io.github.knotresolver.image;
 
+import java.util.Arrays;
+
 /**
  * Filters along rows and columns; beyond the border the outermost pixels are
  * repeated.
@@ -37,6 +39,50 @@ final class SeparableFilter {
 				out[row + x] = (float) sum;
 			}
 		return out;
+	}
+
+	/** As {@link #alongRows} with sums of single precision, a kernel's value at a time: several times faster. */
+	static float[] rows(final float[] in, final int width, final double[] kernel) {
+		final int radius = kernel.length / 2;
+		final float[] out = new float[in.length];
+		final float[] padded = new float[width + 2 * radius], sums = new float[width];
+		for (int row = 0; row < in.length; row += width) {
+			pad(in, row, width, radius, padded);
+			Arrays.fill(sums, 0);
+			for (int k = 0; k < kernel.length; k++)
+				add(padded, k, (float) kernel[k], sums);
+			System.arraycopy(sums, 0, out, row, width);
+		}
+		return out;
+	}
+
+	/** Columns filtered by a kernel of odd length, with sums of single precision. */
+	static float[] columns(final float[] in, final int width, final double[] kernel) {
+		final int radius = kernel.length / 2, height = in.length / width;
+		final float[] out = new float[in.length];
+		final float[] sums = new float[width];
+		for (int y = 0; y < height; y++) {
+			Arrays.fill(sums, 0);
+			for (int k = 0; k < kernel.length; k++)
+				add(in, Math.min(Math.max(y + k - radius, 0), height - 1) * width,
+					(float) kernel[k], sums);
+			System.arraycopy(sums, 0, out, y * width, width);
+		}
+		return out;
+	}
+
+	/** A row with its outermost pixels repeated. */
+	static void pad(final float[] in, final int row, final int width, final int radius,
+		final float[] padded) {
+		Arrays.fill(padded, 0, radius, in[row]);
+		System.arraycopy(in, row, padded, radius, width);
+		Arrays.fill(padded, radius + width, padded.length, in[row + width - 1]);
+	}
+
+	/** Adds a part of a row, times a factor, to sums. */
+	static void add(final float[] in, final int from, final float factor, final float[] sums) {
+		for (int x = 0; x < sums.length; x++)
+			sums[x] += factor * in[from + x];
 	}
 
 	/** @return rows as columns */

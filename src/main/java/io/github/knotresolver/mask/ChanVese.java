@@ -9,6 +9,7 @@ import net.imglib2.type.logic.BitType;
 import net.imglib2.type.numeric.real.FloatType;
 
 import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.model.Polarity;
 import io.github.knotresolver.model.Segmentation;
 
 /** Moves the outline of a mask to where the frame turns dark. */
@@ -57,7 +58,7 @@ public final class ChanVese {
 		final RandomAccessibleInterval<BitType> seed, final int iterations,
 		final double contractionBias, final double smoothFactor) {
 		Masks.requireSameSize(frame, seed);
-		new Segmentation(Segmentation.Steps.BOTH, OptionalDouble.empty(), iterations,
+		new Segmentation(Segmentation.Steps.BOTH, Polarity.AUTO, OptionalDouble.empty(), iterations,
 			contractionBias, smoothFactor);
 		final float[] values = Pixels.floats(frame);
 		final SparseField field = new SparseField(Pixels.bits(seed), Pixels.width(frame));

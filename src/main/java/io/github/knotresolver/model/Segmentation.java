@@ -7,6 +7,7 @@ import java.util.OptionalDouble;
  * Parameters of finding the filament's mask.
  *
  * @param steps which steps lead to the mask
+ * @param polarity whether filaments are bright or dark, or to be found
  * @param threshold intensity 0..1 of the stretched frame above which a pixel
  *          starts as filament; empty for Otsu's
  * @param iterations of the active contour, 0..1000; 0 leaves the threshold's
@@ -14,11 +15,13 @@ import java.util.OptionalDouble;
  * @param contractionBias -1..1; positive shrinks the mask
  * @param smoothFactor 0..10; the larger, the smoother the outline
  */
-public record Segmentation(Steps steps, OptionalDouble threshold, int iterations,
+public record Segmentation(Steps steps, Polarity polarity, OptionalDouble threshold, int iterations,
 	double contractionBias, double smoothFactor) {
 
-	/** Which steps lead to a mask. Those alone are the baselines of the paper. */
+	/** Which steps lead to a mask. Two of them alone are the baselines of the paper. */
 	public enum Steps {
+		/** Ridges in units of noise, thinned and cleaned: no parameter has a part in it. */
+		EVIDENCE,
 		/** In every frame a threshold, then the active contour. */
 		BOTH,
 		/** A threshold alone; the active contour's parameters have no say. */
@@ -31,11 +34,15 @@ public record Segmentation(Steps steps, OptionalDouble threshold, int iterations
 	}
 
 	/** The defaults of the published method. */
-	public static final Segmentation DEFAULT = new Segmentation(Steps.BOTH, OptionalDouble.empty(),
-		10, 0.4, 0.2);
+	public static final Segmentation PUBLISHED = new Segmentation(Steps.BOTH, Polarity.AUTO,
+		OptionalDouble.empty(), 10, 0.4, 0.2);
+
+	/** The defaults of our method. */
+	public static final Segmentation DEFAULT = PUBLISHED.withSteps(Steps.EVIDENCE);
 
 	public Segmentation {
 		Objects.requireNonNull(steps);
+		Objects.requireNonNull(polarity);
 		if (threshold.isPresent()
 			&& !(threshold.getAsDouble() >= 0 && threshold.getAsDouble() <= 1))
 			throw new UserException(
@@ -56,7 +63,7 @@ public record Segmentation(Steps steps, OptionalDouble threshold, int iterations
 	 * @return the same with that
 	 */
 	public Segmentation withSteps(final Steps value) {
-		return new Segmentation(value, threshold, iterations, contractionBias, smoothFactor);
+		return new Segmentation(value, polarity, threshold, iterations, contractionBias, smoothFactor);
 	}
 
 	/**
@@ -64,7 +71,7 @@ public record Segmentation(Steps steps, OptionalDouble threshold, int iterations
 	 * @return the same with that
 	 */
 	public Segmentation withThreshold(final OptionalDouble value) {
-		return new Segmentation(steps, value, iterations, contractionBias, smoothFactor);
+		return new Segmentation(steps, polarity, value, iterations, contractionBias, smoothFactor);
 	}
 
 	/**
@@ -72,7 +79,7 @@ public record Segmentation(Steps steps, OptionalDouble threshold, int iterations
 	 * @return the same with that
 	 */
 	public Segmentation withIterations(final int value) {
-		return new Segmentation(steps, threshold, value, contractionBias, smoothFactor);
+		return new Segmentation(steps, polarity, threshold, value, contractionBias, smoothFactor);
 	}
 
 	/**
@@ -80,7 +87,7 @@ public record Segmentation(Steps steps, OptionalDouble threshold, int iterations
 	 * @return the same with that
 	 */
 	public Segmentation withContractionBias(final double value) {
-		return new Segmentation(steps, threshold, iterations, value, smoothFactor);
+		return new Segmentation(steps, polarity, threshold, iterations, value, smoothFactor);
 	}
 
 	/**
@@ -88,6 +95,22 @@ public record Segmentation(Steps steps, OptionalDouble threshold, int iterations
 	 * @return the same with that
 	 */
 	public Segmentation withSmoothFactor(final double value) {
-		return new Segmentation(steps, threshold, iterations, contractionBias, value);
+		return new Segmentation(steps, polarity, threshold, iterations, contractionBias, value);
+	}
+
+	/**
+	 * @param value bright, dark or to be found
+	 * @return the same with that
+	 */
+	public Segmentation withPolarity(final Polarity value) {
+		return new Segmentation(steps, value, threshold, iterations, contractionBias,
+			smoothFactor);
+	}
+
+	/** @return whether threshold and active contour are as they are by default */
+	public boolean isAutomatic() {
+		return threshold.isEmpty() && iterations == PUBLISHED.iterations
+			&& contractionBias == PUBLISHED.contractionBias
+			&& smoothFactor == PUBLISHED.smoothFactor;
 	}
 }

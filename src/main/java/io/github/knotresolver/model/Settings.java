@@ -45,6 +45,10 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 	/** No fixed end told, automatic threshold, our candidates and resolver. */
 	public static final Settings DEFAULT = new Builder().build();
 
+	/**
+	 * Evidence has no parameters: in the published method, and where something is said about
+	 * threshold, active contour or Laplacian of Gaussian, those make the mask instead.
+	 */
 	public Settings {
 		Objects.requireNonNull(fixedEnd);
 		Objects.requireNonNull(region);
@@ -53,6 +57,10 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 		Objects.requireNonNull(lengthModel);
 		Objects.requireNonNull(filaments);
 		Objects.requireNonNull(anchor);
+		if (segmentation.steps() == Segmentation.Steps.EVIDENCE
+			&& (isPublished(candidates, resolver) || cleaning.enhances()
+				|| !segmentation.isAutomatic()))
+			segmentation = segmentation.withSteps(Segmentation.Steps.BOTH);
 		if (length.isPresent() && !(length.getAsDouble() > 0))
 			throw new UserException(
 				"length must be above 0, but is " + length.getAsDouble() + ".");
@@ -69,6 +77,11 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 	 *         is taken as published
 	 */
 	public boolean isPublished() {
+		return isPublished(candidates, resolver);
+	}
+
+	private static boolean isPublished(final CandidateMethod candidates,
+		final ResolverMethod resolver) {
 		return candidates == CandidateMethod.PAPER && resolver == ResolverMethod.PAPER;
 	}
 

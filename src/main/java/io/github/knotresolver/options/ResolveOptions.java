@@ -13,6 +13,7 @@ import java.util.SortedSet;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.model.CandidateMethod;
 import io.github.knotresolver.model.LengthModel;
+import io.github.knotresolver.model.Polarity;
 import io.github.knotresolver.model.ResolverMethod;
 import io.github.knotresolver.model.Segmentation;
 import io.github.knotresolver.options.Option.Kind;
@@ -69,11 +70,18 @@ public final class ResolveOptions {
 			.writes(c -> c.settings().segmentation().smoothFactor()),
 
 		option("segmentation", Kind.CHOICE).advanced(Section.MASK).oneOf(Segmentation.Steps.class)
-			.label("Segmentation").help("What makes the mask; one step alone is a baseline")
-			.byDefault("both")
+			.label("Segmentation").help("What makes the mask; threshold and published method get both")
+			.byDefault("evidence")
 			.reads((d, t) -> d.segmentation = d.segmentation
 				.withSteps(OptionText.choice("segmentation", t, Segmentation.Steps.class)))
 			.writes(c -> word(c.settings().segmentation().steps())),
+
+		option("polarity", Kind.CHOICE).basic(Section.FILAMENT).oneOf(Polarity.class)
+			.label("Polarity").help("Whether filaments are brighter or darker than their background")
+			.byDefault("auto")
+			.reads((d, t) -> d.segmentation = d.segmentation
+				.withPolarity(OptionText.choice("polarity", t, Polarity.class)))
+			.writes(c -> word(c.settings().segmentation().polarity())),
 
 		option("log_size", Kind.WHOLE).advanced(Section.MASK).takes("N")
 			.label("LoG size (px, odd; 0: off)")

@@ -4,49 +4,115 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 
+import net.imglib2.RandomAccess;
+import net.imglib2.RandomAccessibleInterval;
+import net.imglib2.type.numeric.RealType;
+import net.imglib2.view.Views;
+
 import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.image.FrameEvidence;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.track.FrameView;
 
 /**
  * Whether the brightest pixels of a movie were cut off, by the camera or by a
  * contrast stretch. Where a single strand already reaches the ceiling, strands that
  * cross cannot be brighter.
  *
- * @param share the share of all pixels that pile up at the movie's largest value
+ * @param share the share of the pixels looked at that pile up at their largest value
+ * @param most the share up to which the movie is not clipped
  */
-record Clipping(double share) {
+record Clipping(double share, double most) {
 
 	/** More pixels have the largest value than come within this share of the range below it. */
 	private static final double BELOW = 0.1;
 
-	/** In a movie that is not clipped, few pixels share the largest value. */
+	/** In a movie that is not clipped, few of all pixels share the largest value, ... */
 	private static final double CLIPPED = 0.003;
 
+	/** ... and few of those along its lines. */
+	private static final double CLIPPED_LENGTH = 0.15;
+
+	/** Looks at all pixels of some frames. */
 	static Clipping of(final Movie movie, final List<Integer> frames) {
+		return new Clipping(share(
+			frames.stream().map(frame -> Pixels.doubles(movie.frame(frame - 1))).toList()),
+			CLIPPED);
+	}
+
+	/**
+	 * Looks along the lines of some frames only: what lies elsewhere (a saturated bead, a
+	 * flash) says nothing about strands.
+	 *
+	 * @param frames with evidence
+	 * @param pixels what their pixels are
+	 */
+	static Clipping along(final Movie movie, final List<FrameView> frames,
+		final WorkingPixels pixels) {
+		return new Clipping(
+			share(frames.stream().map(frame -> crests(movie, frame, pixels)).toList()),
+			CLIPPED_LENGTH);
+	}
+
+	/** The brightest (of dark lines, the darkest) pixels at each pixel of the skeleton. */
+	private static double[] crests(final Movie movie, final FrameView frame,
+		final WorkingPixels pixels) {
+		final FrameEvidence evidence = frame.evidence().orElseThrow();
+		final int sign = evidence.appearance().polarity().sign();
+		final RandomAccessibleInterval<? extends RealType<?>> image = movie
+			.frame(frame.frame() - 1);
+		final double[] crests = new double[evidence.size()];
+		for (int i = 0; i < crests.length; i++)
+			crests[i] = largest(image, pixels.out(new Point(evidence.x(i), evidence.y(i))),
+				pixels.binning(), sign);
+		return crests;
+	}
+
+	private static <T extends RealType<?>> double largest(final RandomAccessibleInterval<T> image,
+		final Point at, final int radius, final int sign) {
+		final RandomAccess<T> access = Views.extendBorder(image).randomAccess();
+		final long x = Math.round(at.x()), y = Math.round(at.y());
+		double largest = Double.NEGATIVE_INFINITY;
+		for (long v = y - radius; v <= y + radius; v++)
+			for (long u = x - radius; u <= x + radius; u++) {
+				final double value = sign
+					* access.setPositionAndGet(image.min(0) + u, image.min(1) + v).getRealDouble();
+				// False for pixels without a value.
+				largest = value > largest ? value : largest;
+			}
+		return largest;
+	}
+
+	private static double share(final List<double[]> values) {
 		double largest = Double.NEGATIVE_INFINITY, smallest = Double.POSITIVE_INFINITY;
-		for (final int frame : frames)
-			for (final double value : Pixels.doubles(movie.frame(frame - 1))) {
+		for (final double[] frame : values)
+			for (final double value : frame) {
 				// Comparisons are false for pixels without a value.
 				largest = value > largest ? value : largest;
 				smallest = value < smallest ? value : smallest;
 			}
 		final double below = largest - BELOW * (largest - smallest);
 		long at = 0, justBelow = 0, pixels = 0;
-		for (final int frame : frames)
-			for (final double value : Pixels.doubles(movie.frame(frame - 1))) {
+		for (final double[] frame : values)
+			for (final double value : frame) {
 				pixels++;
 				if (value == largest)
 					at++;
 				else if (value >= below)
 					justBelow++;
 			}
-		return new Clipping(at > justBelow ? (double) at / pixels : 0);
+		return at > justBelow ? (double) at / pixels : 0;
+	}
+
+	boolean isClipped() {
+		return share > most;
 	}
 
 	/** How strands may add up in such a movie. */
 	Set<LineModel.Kind> kinds() {
-		return share > CLIPPED
+		return isClipped()
 			? EnumSet.of(LineModel.Kind.SATURATING)
 			: EnumSet.allOf(LineModel.Kind.class);
 	}

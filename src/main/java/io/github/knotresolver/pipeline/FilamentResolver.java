@@ -77,37 +77,55 @@ public final class FilamentResolver {
 
 	private Tracks resolve(final Movie movie, final List<Integer> wanted, final Workers workers,
 		final Progress progress) {
-		final List<FrameView> frames = new FramePreparer(movie, parameters).prepare(wanted, workers,
+		final PreparedMovie prepared = PreparedMovie.of(movie, parameters, wanted, workers,
 			progress);
-		final Optional<SceneTracks> scene = scene(movie, wanted, frames, workers, progress);
-		if (scene.isPresent())
-			return new Tracks(movie, parameters,
-				SceneDelivery.tracks(scene.get(), o -> everyFrame(movie, o)),
-				sceneNotes(scene.get()));
+		if (prepared.frames().isEmpty())
+			throw nothingFound(movie);
+		final Optional<SceneTracks> scene = scene(prepared, workers, progress);
+		return scene.isPresent()
+			? result(movie, prepared, SceneDelivery.tracks(scene.get(),
+				o -> everyFrame(movie, prepared.withLost(o))), sceneNotes(scene.get()))
+			: single(movie, prepared, workers, progress);
+	}
+
+	/** The one filament that is clamped. */
+	private Tracks single(final Movie movie, final PreparedMovie prepared, final Workers workers,
+		final Progress progress) {
+		final Settings working = prepared.pixels().of(parameters);
+		final List<FrameView> frames = prepared.frames();
 		progress.report("Looking for the fixed end", 0);
-		parameters.fixedEnd().ifPresent(end -> requireNearObject(end, frames));
-		final Point fixedEnd = parameters.fixedEnd()
+		parameters.fixedEnd()
+			.ifPresent(end -> requireNearObject(end, working.fixedEnd().get(), prepared));
+		final Point fixedEnd = working.fixedEnd()
 			.orElseGet(() -> new FixedEndFinder(frames, progress).find()
 				.orElseThrow(() -> nothingFound(movie)));
-		final FrameResolver resolver = new FrameResolver(parameters,
-			Clipping.of(movie, wanted).kinds(), workers, progress);
-		final Found found = resolver.resolve(frames, fixedEnd)
-			.orElseThrow(() -> nothingFound(movie));
+		final Found found = new FrameResolver(working, prepared.kinds(), workers, progress)
+			.resolve(frames, fixedEnd).orElseThrow(() -> nothingFound(movie));
 		if (found.frames().stream().allMatch(f -> f.contour().isEmpty()))
 			throw nothingFound(movie);
-		return new Tracks(movie, parameters,
+		return result(movie, prepared,
 			List.of(new FilamentTrack(1, Anchor.CLAMPED, Optional.of(found.fixedEnd()),
-				found.length(), found.lengthError(), everyFrame(movie, found.frames()))),
+				found.length(), found.lengthError(),
+				everyFrame(movie, prepared.withLost(found.frames())))),
 			found.notes());
 	}
 
+	/** What was found, in the movie's pixels. */
+	private Tracks result(final Movie movie, final PreparedMovie prepared,
+		final List<FilamentTrack> found, final List<String> more) {
+		final List<String> notes = new ArrayList<>(prepared.notes());
+		notes.addAll(more);
+		return new Tracks(movie, parameters,
+			found.stream().map(prepared.pixels()::out).toList(), notes);
+	}
+
 	/** All filaments of the movie; empty if it holds one that is clamped, or one is asked for. */
-	private Optional<SceneTracks> scene(final Movie movie, final List<Integer> wanted,
-		final List<FrameView> frames, final Workers workers, final Progress progress) {
-		if (!parameters.deliversAll() || SingleFilament.isClampedAlone(frames))
+	private Optional<SceneTracks> scene(final PreparedMovie prepared, final Workers workers,
+		final Progress progress) {
+		if (!parameters.deliversAll() || SingleFilament.isClampedAlone(prepared.frames()))
 			return Optional.empty();
-		return new SceneResolver(Clipping.of(movie, wanted).kinds(), workers, progress)
-			.resolve(frames, parameters.anchor())
+		return new SceneResolver(prepared.kinds(), workers, progress)
+			.resolve(prepared.frames(), parameters.anchor())
 			.filter(s -> s.filaments().size() > 1 || !s.filaments().get(0).clamped());
 	}
 
@@ -129,9 +147,10 @@ public final class FilamentResolver {
 		return all;
 	}
 
-	private static void requireNearObject(final Point end, final List<FrameView> frames) {
-		final double nearest = frames.stream().mapToDouble(f -> f.distance(end)).min()
-			.orElse(Double.POSITIVE_INFINITY);
+	private static void requireNearObject(final Point end, final Point working,
+		final PreparedMovie prepared) {
+		final double nearest = prepared.pixels().binning() * prepared.frames().stream()
+			.mapToDouble(f -> f.distance(working)).min().orElse(Double.POSITIVE_INFINITY);
 		if (nearest > FAR)
 			throw new UserException("fixed_end " + end + " is "
 				+ (Double.isInfinite(nearest) ? "not near" : Math.round(nearest) + " px from")
@@ -141,7 +160,7 @@ public final class FilamentResolver {
 
 	private static UserException nothingFound(final Movie movie) {
 		return new UserException("No filament was found in '" + movie.name()
-			+ "': no bright line on a darker background can be followed in any frame; check the channel, "
-			+ "set a threshold, or tell the fixed end.");
+			+ "': no line can be followed in any frame; check the channel, "
+			+ "tell the fixed end, or set a threshold.");
 	}
 }

@@ -44,6 +44,10 @@ final class FramePreparer {
 	private final Segmentation.Steps steps;
 	private final FilamentSegmenter segmenter;
 
+	/**
+	 * @param movie its lines are bright
+	 * @param parameters with steps other than evidence
+	 */
 	FramePreparer(final Movie movie, final Settings parameters) {
 		this.movie = movie;
 		cleaner = new FrameCleaner(parameters.cleaning());

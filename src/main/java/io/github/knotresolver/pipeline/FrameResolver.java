@@ -16,6 +16,7 @@ import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.SkeletonGraph;
+import io.github.knotresolver.mask.Masks;
 import io.github.knotresolver.mask.ObjectFollower;
 import io.github.knotresolver.model.CandidateMethod;
 import io.github.knotresolver.model.FrameStatus;
@@ -94,8 +95,14 @@ final class FrameResolver {
 			? ObjectFollower.follow(masks, fixedEnd)
 			: ObjectFollower.followClamped(masks, fixedEnd, REACH);
 		return workers.map(frames.size(),
-			t -> new FrameGraph(frames.get(t).frame(), found.get(t).map(m -> SkeletonGraph
-				.of(Skeletonize.thin(m), SkeletonGraph.DEFAULT_SPUR_LENGTH, List.of(fixedEnd)))));
+			t -> new FrameGraph(frames.get(t).frame(), found.get(t).map(m -> SkeletonGraph.of(
+				skeleton(frames.get(t), m), SkeletonGraph.DEFAULT_SPUR_LENGTH, List.of(fixedEnd)))));
+	}
+
+	/** The middle line of an object: the evidence's, if there is one. */
+	private static Img<BitType> skeleton(final FrameView frame, final Img<BitType> object) {
+		return frame.evidence().map(e -> Masks.and(e.skeleton(), object))
+			.orElseGet(() -> Skeletonize.thin(object));
 	}
 
 	/** The same contours, fitted to the picture; frames without one stay without. */

@@ -56,6 +56,25 @@ final class Neighbourhood {
 		return bits[at + steps[direction]];
 	}
 
+	/** @return whether a place is in the mask */
+	boolean has(final int at) {
+		return bits[at];
+	}
+
+	/** @return the place of the neighbour in a direction, 0..7 */
+	int neighbour(final int at, final int direction) {
+		return at + steps[direction];
+	}
+
+	/** @return the number of places */
+	int places() {
+		return bits.length;
+	}
+
+	void add(final int x, final int y) {
+		bits[(y + 1) * (width + 2) + x + 1] = true;
+	}
+
 	void remove(final int at) {
 		bits[at] = false;
 	}

@@ -49,6 +49,11 @@ public final class Skeletonize {
 		return Pixels.mask(line.toBits(), line.width());
 	}
 
+	/** @return whether a pixel with such neighbours may go without changing the topology or an end */
+	static boolean isRemovable(final int around) {
+		return REMOVABLE[around];
+	}
+
 	/** @return the pixels that remain */
 	private static int[] peel(final Neighbourhood line, final int[] pixels, final int side) {
 		final boolean[] candidate = new boolean[pixels.length];

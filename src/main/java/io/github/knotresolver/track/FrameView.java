@@ -1,5 +1,7 @@
 package io.github.knotresolver.track;
 
+import java.util.Optional;
+
 import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
 
@@ -7,6 +9,7 @@ import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.graph.Segment;
 import io.github.knotresolver.graph.SkeletonGraph;
+import io.github.knotresolver.image.FrameEvidence;
 
 /**
  * A frame as the fit sees it.
@@ -15,8 +18,36 @@ import io.github.knotresolver.graph.SkeletonGraph;
  * @param light the pixels, background at 0
  * @param mask all objects
  * @param graph the graph of their skeletons
+ * @param evidence what is known of the lines beyond mask and graph, in the same pixels;
+ *          empty if masks were made by thresholds
  */
-public record FrameView(int frame, NormalizedFrame light, Img<BitType> mask, SkeletonGraph graph) {
+public record FrameView(int frame, NormalizedFrame light, Img<BitType> mask, SkeletonGraph graph,
+	Optional<FrameEvidence> evidence) {
+
+	/**
+	 * A frame whose mask was made by a threshold.
+	 *
+	 * @param frame 1-based number of the frame in the movie
+	 * @param light the pixels, background at 0
+	 * @param mask all objects
+	 * @param graph the graph of their skeletons
+	 */
+	public FrameView(final int frame, final NormalizedFrame light, final Img<BitType> mask,
+		final SkeletonGraph graph) {
+		this(frame, light, mask, graph, Optional.empty());
+	}
+
+	/**
+	 * A frame as the evidence has it.
+	 *
+	 * @param frame 1-based number of the frame in the movie
+	 * @param light the pixels, background at 0
+	 * @param evidence what can be seen of lines
+	 */
+	public FrameView(final int frame, final NormalizedFrame light, final FrameEvidence evidence) {
+		this(frame, light, evidence.mask(), SkeletonGraph.of(evidence.skeleton()),
+			Optional.of(evidence));
+	}
 
 	/**
 	 * @param place in pixels
@@ -37,7 +68,7 @@ public record FrameView(int frame, NormalizedFrame light, Img<BitType> mask, Ske
 	FrameView scaled(final double amplitude) {
 		return amplitude == 1
 			? this
-			: new FrameView(frame, light.rescaled(0, amplitude), mask, graph);
+			: new FrameView(frame, light.rescaled(0, amplitude), mask, graph, evidence);
 	}
 
 	/**
@@ -54,6 +85,6 @@ public record FrameView(int frame, NormalizedFrame light, Img<BitType> mask, Ske
 	 * @return the same frame with blurred light
 	 */
 	FrameView blurred(final double sigma) {
-		return new FrameView(frame, light.blurred(sigma), mask, graph);
+		return new FrameView(frame, light.blurred(sigma), mask, graph, evidence);
 	}
 }

@@ -22,6 +22,7 @@ import io.github.knotresolver.CancelledProgress;
 import io.github.knotresolver.image.FrameCleaner;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.model.Cleaning;
+import io.github.knotresolver.model.Polarity;
 import io.github.knotresolver.model.Segmentation;
 import io.github.knotresolver.model.Segmentation.Steps;
 import io.github.knotresolver.progress.CancelledException;
@@ -119,7 +120,7 @@ class FilamentSegmenterTest {
 	void givenThresholdIsUsedAsItIs() {
 		final Img<FloatType> frame = Pixels.image(new float[]{0.3f, 0.5f, 0.7f, 0.5f}, 2);
 		final FilamentSegmenter only = new FilamentSegmenter(
-			new Segmentation(Steps.BOTH, OptionalDouble.of(0.6), 0, 0, 0), new LocalThreshold());
+			new Segmentation(Steps.BOTH, Polarity.AUTO, OptionalDouble.of(0.6), 0, 0, 0), new LocalThreshold());
 		assertEquals(0, ConnectedComponents.of(only.segment(frame)).objects().size(), "a speck");
 		assertArrayEquals(new boolean[]{false, false, true, false},
 			Pixels.bits(FixedThreshold.above(frame, 0.6)));
@@ -132,7 +133,7 @@ class FilamentSegmenterTest {
 		final Picture picture = new Picture();
 		picture.line(20, 35, 70, 35, 1);
 		final Img<FloatType> frame = picture.clean(5);
-		final Segmentation none = new Segmentation(steps, OptionalDouble.empty(), iterations, 0.4,
+		final Segmentation none = new Segmentation(steps, Polarity.AUTO, OptionalDouble.empty(), iterations, 0.4,
 			0.2);
 		assertArrayEquals(
 			Pixels.bits(MaskRepair.fillPinHoles(

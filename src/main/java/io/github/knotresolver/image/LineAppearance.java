@@ -1,0 +1,103 @@
+package io.github.knotresolver.image;
+
+import io.github.knotresolver.model.Polarity;
+
+/**
+ * What a movie's lines look like, and in which pixels they are looked for: found once for
+ * a movie, used in every frame.
+ *
+ * @param polarity bright or dark, never {@code AUTO}
+ * @param sigma standard deviation of the brightness across a line, in the movie's pixels;
+ *          its full width at half maximum is 2.355 times that
+ * @param binning edge in the movie's pixels of a working pixel, at least 1: wide lines
+ *          are looked for in coarser pictures
+ * @param filterSigma standard deviation of the filter, in working pixels
+ * @param reference usual ridge strength of the movie's line, per working px²; NaN as long
+ *          as it is not known
+ * @param clarity usual ridge strength in units of noise
+ */
+public record LineAppearance(Polarity polarity, double sigma, int binning, double filterSigma,
+	double reference, double clarity) {
+
+	/** Full width at half maximum of a Gaussian of standard deviation 1. */
+	public static final double FULL_WIDTH = 2 * Math.sqrt(2 * Math.log(2));
+
+	/** The thinnest line that pixels can show. */
+	private static final double THINNEST = 0.7;
+
+	/** The standard deviation of a line is this many working pixels at least, if wider than one. */
+	private static final double COARSE = 1.4;
+
+	/** The narrowest filter, in working pixels. */
+	private static final double NARROWEST = 0.8;
+
+	/** The clarity that is taken until it is measured. */
+	private static final double CLARITY = 8;
+
+	/** From this clarity on the filter may be narrower than the line, down to this part of it; below, wider, up to this many times it. */
+	private static final double CLEAR = 12, NARROW = 0.7, WIDEST = 1.75;
+
+	public LineAppearance {
+		if (polarity == Polarity.AUTO)
+			throw new IllegalArgumentException(
+				"The polarity of a movie's lines is bright or dark, but is auto.");
+		if (!(sigma > 0) || binning < 1 || !(filterSigma > 0))
+			throw new IllegalArgumentException("A line has sigma, binning and filter above 0, but they are "
+				+ sigma + ", " + binning + " and " + filterSigma + ".");
+	}
+
+	/**
+	 * A filter as wide as the line, in pictures binned so that the line is 1.4 to 2.8
+	 * pixels wide (standard deviation), if it is that wide at all.
+	 *
+	 * @param polarity bright or dark
+	 * @param sigma of the line, in the movie's pixels
+	 * @return a first idea of the lines
+	 */
+	public static LineAppearance of(final Polarity polarity, final double sigma) {
+		final double s = Math.max(sigma, THINNEST);
+		final int binning = Math.max(1, (int) (s / COARSE));
+		return new LineAppearance(polarity, s, binning, Math.max(NARROWEST, s / binning),
+			Double.NaN, CLARITY);
+	}
+
+	/**
+	 * The narrowest filter that the noise allows: strands that lie close are told apart.
+	 *
+	 * @param measured usual ridge strength in units of noise, above 0
+	 * @return the same lines, looked for with that filter
+	 */
+	public LineAppearance asFineAsNoiseAllows(final double measured) {
+		final double share = Math.min(WIDEST, Math.max(NARROW, Math.sqrt(CLEAR / measured)));
+		return new LineAppearance(polarity, sigma, binning,
+			Math.max(NARROWEST, share * sigma / binning), reference, measured);
+	}
+
+	/**
+	 * @param measured the usual ridge strength, per working px²
+	 * @return the same lines with that reference
+	 */
+	public LineAppearance withReference(final double measured) {
+		return new LineAppearance(polarity, sigma, binning, filterSigma, measured, clarity);
+	}
+
+	/** @return whether the usual strength is known */
+	public boolean hasReference() {
+		return !Double.isNaN(reference);
+	}
+
+	/** @return standard deviation of the line in working pixels */
+	public double workingSigma() {
+		return sigma / binning;
+	}
+
+	/** @return standard deviation of the line as the filter blurs it, in working pixels */
+	public double blurredSigma() {
+		return Math.hypot(filterSigma, workingSigma());
+	}
+
+	/** @return full width at half maximum of the line, in the movie's pixels */
+	public double width() {
+		return FULL_WIDTH * sigma;
+	}
+}

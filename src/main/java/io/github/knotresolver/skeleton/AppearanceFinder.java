@@ -1,0 +1,151 @@
+package io.github.knotresolver.skeleton;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+
+import io.github.knotresolver.image.CrossProfile;
+import io.github.knotresolver.image.HotPixels;
+import io.github.knotresolver.image.LineAppearance;
+import io.github.knotresolver.image.LineVote;
+import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.image.Ridges;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Polarity;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
+
+/**
+ * Finds out once for a movie what its lines look like: bright or dark, how wide, how
+ * strong. Looks at four to eight frames.
+ */
+public final class AppearanceFinder {
+
+	/** Frames that are looked at: as many as have so many pixels together, within limits. */
+	private static final double PIXELS = 1e6;
+	private static final int FEWEST = 4, MOST = 8;
+
+	/** Rounds in which the width is measured; it changes by this factor at most in each. */
+	private static final int ROUNDS = 2;
+	private static final double FACTOR = 1.5, LEAST_FACTOR = 0.5;
+
+	private final Workers workers;
+	private final Progress progress;
+
+	/**
+	 * @param workers threads
+	 * @param progress told how far it is, and asked whether to stop
+	 */
+	public AppearanceFinder(final Workers workers, final Progress progress) {
+		this.workers = workers;
+		this.progress = progress;
+	}
+
+	/**
+	 * What was found.
+	 *
+	 * @param appearance what the lines look like; its reference is NaN if there are none
+	 * @param doubtful whether lines of the other sign are nearly as strong
+	 */
+	public record Found(LineAppearance appearance, boolean doubtful) {
+	}
+
+	/** What one frame says. */
+	private record Look(double[] profile, double clarity, double strength) {
+	}
+
+	/**
+	 * Looks at a movie.
+	 *
+	 * @param movie the movie
+	 * @param frames 1-based numbers of the frames that may be looked at, at least one
+	 * @param polarity bright or dark, or auto to find it
+	 * @return what its lines look like
+	 */
+	public Found find(final Movie movie, final List<Integer> frames, final Polarity polarity) {
+		final List<float[]> calm = calm(movie, frames);
+		final LineVote vote = LineVote.of(calm, movie.width(), workers, progress);
+		final Polarity sign = polarity == Polarity.AUTO ? vote.polarity() : polarity;
+		return new Found(measured(LineAppearance.of(sign, vote.sigma(sign)), calm, movie.width()),
+			polarity == Polarity.AUTO && vote.isDoubtful(sign));
+	}
+
+	/**
+	 * @param movie the movie
+	 * @param frames 1-based numbers of the frames that may be looked at, at least one
+	 * @return bright or dark
+	 */
+	public Polarity polarity(final Movie movie, final List<Integer> frames) {
+		return LineVote.of(calm(movie, frames), movie.width(), workers, progress).polarity();
+	}
+
+	private List<float[]> calm(final Movie movie, final List<Integer> frames) {
+		progress.report("Looking at the movie", 0);
+		final List<Integer> few = spread(frames, movie.width() * movie.height());
+		return workers.map(few.size(), i -> HotPixels
+			.clip(Pixels.floats(movie.frame(few.get(i) - 1)), movie.width()));
+	}
+
+	private static List<Integer> spread(final List<Integer> frames, final int pixels) {
+		final int count = Math.min(frames.size(),
+			Math.max(FEWEST, Math.min(MOST, (int) (PIXELS / pixels))));
+		return IntStream.range(0, count)
+			.mapToObj(i -> frames.get(count == 1 ? 0 : (int) ((long) i * (frames.size() - 1) / (count - 1))))
+			.toList();
+	}
+
+	private LineAppearance measured(final LineAppearance rough, final List<float[]> calm,
+		final int width) {
+		LineAppearance appearance = rough;
+		for (int round = 0; round < ROUNDS; round++)
+			appearance = withWidth(appearance, looks(calm, width, appearance));
+		final double[] clarities = looks(calm, width, appearance).stream()
+			.mapToDouble(Look::clarity).filter(c -> c > 0).toArray();
+		if (clarities.length == 0)
+			return appearance;
+		appearance = appearance.asFineAsNoiseAllows(median(clarities));
+		final double[] strengths = looks(calm, width, appearance).stream()
+			.mapToDouble(Look::strength).filter(s -> s > 0).toArray();
+		return strengths.length == 0 ? appearance : appearance.withReference(median(strengths));
+	}
+
+	private static LineAppearance withWidth(final LineAppearance before, final List<Look> looks) {
+		final double width = CrossProfile.width(looks.stream().map(Look::profile).toList());
+		if (Double.isNaN(width))
+			return before;
+		final double factor = Math.min(Math.max(width / LineAppearance.FULL_WIDTH, LEAST_FACTOR), FACTOR);
+		return LineAppearance.of(before.polarity(), factor * before.sigma());
+	}
+
+	private List<Look> looks(final List<float[]> calm, final int width,
+		final LineAppearance appearance) {
+		return workers.map(calm.size(), t -> {
+			progress.checkCancelled();
+			return look(Ridges.of(calm.get(t), width, appearance));
+		});
+	}
+
+	private static Look look(final Ridges ridges) {
+		final LinePixels line = new EvidenceFinder(ridges.appearance()).lines(ridges);
+		final List<int[]> parts = new ArrayList<>(LineParts.of(line));
+		int[] longest = {};
+		for (final int[] part : parts)
+			if (part.length > longest.length)
+				longest = part;
+		final int[] all = EvidenceFinder.inside(line, line.pixels());
+		return new Look(CrossProfile.of(ridges, all),
+			median(Arrays.stream(all).mapToDouble(ridges::z).toArray()),
+			median(Arrays.stream(EvidenceFinder.inside(line, longest)).mapToDouble(ridges::strength)
+				.toArray()));
+	}
+
+	/** @return the median; 0 of nothing */
+	private static double median(final double[] values) {
+		if (values.length == 0)
+			return 0;
+		final double[] sorted = values.clone();
+		Arrays.sort(sorted);
+		return (sorted[(sorted.length - 1) / 2] + sorted[sorted.length / 2]) / 2;
+	}
+}

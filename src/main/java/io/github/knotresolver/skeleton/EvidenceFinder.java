@@ -1,0 +1,137 @@
+package io.github.knotresolver.skeleton;
+
+import net.imglib2.RandomAccessibleInterval;
+import net.imglib2.img.Img;
+import net.imglib2.type.logic.BitType;
+import net.imglib2.type.numeric.RealType;
+
+import io.github.knotresolver.image.FrameEvidence;
+import io.github.knotresolver.image.LineAppearance;
+import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.image.Ridges;
+import io.github.knotresolver.mask.RidgeMask;
+
+/**
+ * Finds the lines of a frame: ridges become a mask, the mask is thinned, and of the thin
+ * lines what is not sure goes. Has no state that changes, so frames can be worked on in
+ * parallel.
+ */
+public final class EvidenceFinder {
+
+	/** Shortest part in line widths (standard deviations): at first, before gaps are closed, in the end. */
+	private static final double FIRST = 7, BEFORE_JOINING = 5, SHORTEST = 7;
+
+	/** Side branches shorter than this many line widths are spurs. */
+	private static final double SPUR = 3;
+
+	/** A part of which more than this is an edge is no line. */
+	private static final double EDGE = 0.4;
+
+	/** Side branches of beads are no longer than this many line widths, ... */
+	private static final double BEAD = 12;
+
+	/** ... chains of beads are no longer than this, ... */
+	private static final double CHAIN = 24;
+
+	/** ... and more than this part of them, or of a part of its own, is near the middles of round spots. */
+	private static final double OF_BEADS = 0.7;
+
+	/** Every part must be as sure as this as a whole. */
+	private static final double SURE = 5;
+
+	/** The mask reaches this many line widths to both sides of the skeleton. */
+	private static final double REACH = 1.6;
+
+	private final LineAppearance appearance;
+
+	/** @param appearance what the movie's lines look like */
+	public EvidenceFinder(final LineAppearance appearance) {
+		this.appearance = appearance;
+	}
+
+	/**
+	 * Looks at a frame. Linear in the number of pixels.
+	 *
+	 * @param frame a frame of the movie, two-dimensional, any real type
+	 * @return what can be seen of lines there
+	 */
+	public FrameEvidence find(final RandomAccessibleInterval<? extends RealType<?>> frame) {
+		return find(Ridges.of(frame, appearance));
+	}
+
+	FrameEvidence find(final Ridges ridges) {
+		final Img<BitType> mask = RidgeMask.of(ridges);
+		final LinePixels line = lines(mask, ridges);
+		double surest = 0;
+		for (final int[] part : LineParts.of(line))
+			surest = Math.max(surest, Surety.of(inside(line, part), ridges));
+		return new FrameEvidence(ridges, around(line, mask), line.image(), surest);
+	}
+
+	/** @return the lines alone */
+	LinePixels lines(final Ridges ridges) {
+		return lines(RidgeMask.of(ridges), ridges);
+	}
+
+	private LinePixels lines(final Img<BitType> mask, final Ridges ridges) {
+		final LinePixels line = new LinePixels(mask);
+		final double s = appearance.workingSigma();
+		LineParts.keep(line, part -> part.length >= FIRST * s);
+		final FreeEnds ends = new FreeEnds(ridges);
+		ends.trim(line);
+		Spurs.prune(line, (int) Math.ceil(SPUR * s));
+		Spurs.prune(line, (int) Math.ceil(BEAD * s),
+			branch -> isOfBeads(EvidenceFinder.inside(line, branch), ridges));
+		ends.trim(line);
+		final boolean[] edges = edges(ridges);
+		LineParts.keep(line, part -> part.length >= BEFORE_JOINING * s
+			&& LineParts.count(part, at -> edges[at]) <= EDGE * part.length
+			&& !(part.length < CHAIN * s && isOfBeads(part, ridges)));
+		new GapJoiner(ridges).join(line);
+		LineParts.keep(line,
+			part -> part.length >= SHORTEST * s && Surety.of(part, ridges) > SURE);
+		return line;
+	}
+
+	private static boolean isOfBeads(final int[] pixels, final Ridges ridges) {
+		return LineParts.count(pixels, ridges::isNearBlob) > OF_BEADS * pixels.length;
+	}
+
+	static int[] inside(final LinePixels line, final int[] part) {
+		final int[] inside = new int[part.length];
+		for (int i = 0; i < part.length; i++)
+			inside[i] = line.inside(part[i]);
+		return inside;
+	}
+
+	/** Edges and their eight neighbours: a skeleton need not run on the crest. */
+	private static boolean[] edges(final Ridges ridges) {
+		final int width = ridges.width(), height = ridges.height();
+		final boolean[] edges = new boolean[width * height];
+		for (int at = 0; at < edges.length; at++)
+			if (ridges.isEdge(at))
+				mark(edges, width, at, 1);
+		return edges;
+	}
+
+	/** The mask near the skeleton, and the skeleton. */
+	private Img<BitType> around(final LinePixels line, final Img<BitType> mask) {
+		final int width = line.width();
+		final boolean[] near = new boolean[line.bits().length];
+		final boolean[] core = line.bits(), wide = Pixels.bits(mask);
+		for (int at = 0; at < core.length; at++)
+			if (core[at])
+				mark(near, width, at, (int) Math.ceil(REACH * appearance.blurredSigma()));
+		for (int at = 0; at < near.length; at++)
+			near[at] = near[at] && wide[at] || core[at];
+		return Pixels.mask(near, width);
+	}
+
+	private static void mark(final boolean[] bits, final int width, final int at,
+		final int radius) {
+		final int x = at % width, y = at / width, height = bits.length / width;
+		for (int v = Math.max(0, y - radius); v <= Math.min(height - 1, y + radius); v++)
+			for (int u = Math.max(0, x - radius); u <= Math.min(width - 1, x + radius); u++)
+				bits[v * width + u] = true;
+	}
+}
