@@ -21,7 +21,7 @@ class ArchitectureTest {
 	private static final List<String> ROOMS = List.of("geometry", "progress", "model", "image", "mask",
 		"skeleton", "graph", "candidate", "contour", "fit", "track", "paper",
 		"measure", "pipeline",
-		"simulate", "evaluate", "options", "io", "imagej", "command", "cli");
+		"simulate", "evaluate", "options", "io", "run", "imagej", "command", "cli");
 
 	private static final JavaClasses CLASSES = new ClassFileImporter()
 		.withImportOption(new ImportOption.DoNotIncludeTests())

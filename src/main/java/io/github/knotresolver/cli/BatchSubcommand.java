@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 
 import io.github.knotresolver.imagej.Batch;
-import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.io.BatchList;
 import io.github.knotresolver.io.BatchOutcome.Status;
 import io.github.knotresolver.io.BatchOutcome;

@@ -8,7 +8,7 @@ import java.util.concurrent.Callable;
 import io.github.knotresolver.evaluate.Evaluation;
 import io.github.knotresolver.evaluate.like.LikeResult;
 import io.github.knotresolver.evaluate.like.LikeStudy;
-import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.imagej.LikeFolder;
 import io.github.knotresolver.imagej.LikeRun;
 import io.github.knotresolver.imagej.ScoreFiles;

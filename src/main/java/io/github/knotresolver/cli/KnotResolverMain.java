@@ -5,7 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.io.Failure;
 import io.github.knotresolver.io.FailureLog;
 import io.github.knotresolver.io.ProgramVersion;

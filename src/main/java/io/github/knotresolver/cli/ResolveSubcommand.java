@@ -3,27 +3,19 @@ package io.github.knotresolver.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.Callable;
 
-import ij.ImagePlus;
-import io.github.knotresolver.imagej.Engine;
-import io.github.knotresolver.imagej.ImageFile;
-import io.github.knotresolver.imagej.ImageMovie;
-import io.github.knotresolver.imagej.ResultWriter;
-import io.github.knotresolver.imagej.RoiConverter;
+import io.github.knotresolver.imagej.FolderSink;
+import io.github.knotresolver.imagej.ImageSource;
 import io.github.knotresolver.imagej.SampleMovie;
-import io.github.knotresolver.io.CorrectionsCsv;
 import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
-import io.github.knotresolver.io.RunIdentity;
 import io.github.knotresolver.io.RunReport;
-import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.run.ResolveRun;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -67,31 +59,24 @@ final class ResolveSubcommand implements Callable<Integer> {
 	}
 
 	private void resolve() throws IOException {
-		final Map<String, String> texts = GivenOptions.of(spec);
-		final RunOptions run = Usage.of(spec, () -> RunOptions.parse(texts));
+		final ResolveRun run = Usage.of(spec, () -> ResolveRun.of(GivenOptions.of(spec)));
+		final ImageSource source = Usage.of(spec, this::source);
 		final MeasuredTracks result;
 		try (ResultFolder folder = Usage.of(spec, () -> ResultFolder.reserve(out,
-			ResultKind.RESOLUTION, force, RunIdentity.files(movie, texts)))) {
-			final ImagePlus image = Usage.of(spec, this::image);
-			final Movie input = Usage.of(spec, () -> ImageMovie.of(image, run.input()));
-			final var parameters = Usage.of(spec, () -> run.settings(input, CorrectionsCsv.of(run)));
-			final Optional<RunIdentity> identity = RunIdentity.of(ImageFile.of(image), texts,
-				progress);
-			result = MeasuredTracks.of(
-				engine.resolve(input, parameters, progress), progress);
-			final RoiConverter rois = RoiConverter.forImage(image, run.input().channel());
-			new ResultWriter(result, run.input(), rois, identity).write(folder, plots, progress);
+			ResultKind.RESOLUTION, force, run.files(source)))) {
+			final ResolveRun.Work work = Usage.of(spec, () -> run.read(source, progress));
+			result = work.resolve(engine, new FolderSink(folder, source, plots), progress).result();
 		}
 		final PrintWriter stdout = spec.commandLine().getOut();
 		RunReport.lines(result).forEach(stdout::println);
 		stdout.println("Result: " + out + " (look at montage.png first).");
 	}
 
-	private ImagePlus image() {
+	private ImageSource source() {
 		if (sample == (movie != null))
 			throw new UserException(sample
 				? "Either a movie or --sample, but not both."
 				: "Name a movie, or add --sample for the one that comes along.");
-		return sample ? SampleMovie.open() : ImageFile.open(movie, progress);
+		return sample ? ImageSource.of(SampleMovie.open()) : ImageSource.of(movie);
 	}
 }

@@ -13,7 +13,6 @@ import org.scijava.plugin.Plugin;
 import org.scijava.widget.FileWidget;
 
 import io.github.knotresolver.imagej.Batch;
-import io.github.knotresolver.imagej.Engine;
 import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.imagej.form.MacroOptions;
 import io.github.knotresolver.io.BatchList;
@@ -24,6 +23,7 @@ import io.github.knotresolver.io.MovieFolder;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.Engine;
 
 /**
  * {@code Batch...}: many movies, each into its own result folder. Finished ones

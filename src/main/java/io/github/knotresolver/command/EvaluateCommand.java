@@ -16,7 +16,7 @@ import io.github.knotresolver.evaluate.Evaluation;
 import io.github.knotresolver.evaluate.FrameScore;
 import io.github.knotresolver.evaluate.like.LikeResult;
 import io.github.knotresolver.evaluate.like.LikeStudy;
-import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.imagej.LikeFolder;
 import io.github.knotresolver.imagej.LikeRun;
 import io.github.knotresolver.imagej.ScoreFiles;

@@ -21,31 +21,31 @@ import ij.WindowManager;
 import ij.plugin.frame.RoiManager;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.imagej.ContourTables;
-import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.imagej.FolderSink;
 import io.github.knotresolver.imagej.ImageFile;
-import io.github.knotresolver.imagej.ImageMovie;
+import io.github.knotresolver.imagej.ImageSource;
 import io.github.knotresolver.imagej.ImageView;
 import io.github.knotresolver.imagej.ResultDisplay;
-import io.github.knotresolver.imagej.ResultWriter;
 import io.github.knotresolver.imagej.RoiConverter;
 import io.github.knotresolver.imagej.form.Form;
-import io.github.knotresolver.io.CorrectionsCsv;
 import io.github.knotresolver.imagej.form.FormField;
 import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.ParametersJson;
 import io.github.knotresolver.io.ProgramVersion;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
-import io.github.knotresolver.io.RunIdentity;
 import io.github.knotresolver.io.RunReport;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Region;
-import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.run.Outcome;
+import io.github.knotresolver.run.ResolveRun;
+import io.github.knotresolver.run.ResultSink;
 
 /**
  * {@code Resolve Filament...}: finds one ordered contour per frame in a movie
@@ -200,38 +200,28 @@ public class ResolveFilamentCommand extends KnotCommand {
 	void work(final Progress progress) throws IOException {
 		final long start = System.nanoTime();
 		final ImagePlus input = input(progress);
-		final Map<String, String> texts = texts(input);
-		final RunOptions options = RunOptions.parse(texts);
-		// The image may be closed meanwhile.
-		final RoiConverter rois = RoiConverter.forImage(input, channel);
-		final MeasuredTracks result;
-		if (out == null)
-			result = resolve(input, options, progress);
-		else {
-			final Optional<Path> file = ImageFile.of(input);
-			try (ResultFolder folder = ResultFolder.reserve(out.toPath(), ResultKind.RESOLUTION,
-				force, RunIdentity.files(file.orElse(null), texts))) {
-				final Optional<RunIdentity> identity = RunIdentity.of(file, texts, progress);
-				result = resolve(input, options, progress);
-				new ResultWriter(result, options.input(), rois, identity).write(folder, plots,
-					progress);
-			}
-		}
+		final ResolveRun run = ResolveRun.of(texts(input));
+		final ImageSource source = ImageSource.of(input);
+		final Outcome outcome = out == null
+			? run.read(source, progress).resolve(engine, ResultSink.NONE, progress)
+			: intoFolder(run, source, progress);
+		final MeasuredTracks result = outcome.result();
+		final RoiConverter rois = source.rois();
 		progress.checkCancelled();
 		show(input, result, rois);
 		resolution = result.tracks();
-		report(result, options.input(), System.nanoTime() - start);
+		report(result, outcome.input(), System.nanoTime() - start);
 		if (!GraphicsEnvironment.isHeadless())
 			ImageView.front(input, result.tracks());
 	}
 
-	private MeasuredTracks resolve(final ImagePlus input, final RunOptions options,
-		final Progress progress) {
-		final Movie series = ImageMovie.of(input, options.input());
-		final Settings parameters = options.settings(series, CorrectionsCsv.of(options));
-		return MeasuredTracks.of(
-			engine.resolve(series, parameters, progress),
-			progress);
+	private Outcome intoFolder(final ResolveRun run, final ImageSource source,
+		final Progress progress) throws IOException {
+		try (ResultFolder folder = ResultFolder.reserve(out.toPath(), ResultKind.RESOLUTION, force,
+			run.files(source))) {
+			return run.read(source, progress).resolve(engine,
+				new FolderSink(folder, source, plots), progress);
+		}
 	}
 
 	private ImagePlus input(final Progress progress) {

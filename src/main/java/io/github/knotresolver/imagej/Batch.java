@@ -8,13 +8,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 
-import ij.ImagePlus;
 import io.github.knotresolver.io.BatchFolders;
 import io.github.knotresolver.io.BatchList;
 import io.github.knotresolver.io.BatchOutcome.Status;
 import io.github.knotresolver.io.BatchOutcome;
 import io.github.knotresolver.io.BatchRow;
-import io.github.knotresolver.io.CorrectionsCsv;
 import io.github.knotresolver.io.Failure;
 import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.ResultFolder;
@@ -23,9 +21,10 @@ import io.github.knotresolver.io.RunIdentity;
 import io.github.knotresolver.io.RunReport;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.run.ResolveRun;
 
 /**
  * Many movies, one after the other, each with its own result folder. A movie
@@ -72,7 +71,7 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 
 	private List<Path> files(final BatchRow row) {
 		try {
-			return RunIdentity.files(row.file(), row.over(defaults));
+			return RunIdentity.files(Optional.of(row.file()), row.over(defaults));
 		} catch (final UserException e) {
 			// The row is refused when it has its turn.
 			return List.of();
@@ -115,19 +114,12 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 
 		private MeasuredTracks result(final Path target, final Progress progress)
 			throws IOException {
-			final Map<String, String> texts = row.over(defaults);
-			final RunOptions options = RunOptions.parse(texts);
+			final ResolveRun run = ResolveRun.of(row.over(defaults));
 			try (ResultFolder folder = ResultFolder.reserve(target, ResultKind.RESOLUTION,
 				overwrite, inputs)) {
-				final ImagePlus image = ImageFile.open(row.file(), progress);
-				final Movie movie = ImageMovie.of(image, options.input());
-				final RunIdentity identity = RunIdentity.of(row.file(), texts, progress);
-				final MeasuredTracks result = MeasuredTracks
-					.of(engine.resolve(movie, options.settings(movie, CorrectionsCsv.of(options)), progress), progress);
-				final RoiConverter rois = RoiConverter.forImage(image, options.input().channel());
-				new ResultWriter(result, options.input(), rois, Optional.of(identity))
-					.write(folder, plots, progress);
-				return result;
+				final ImageSource source = ImageSource.of(row.file());
+				return run.read(source, progress)
+					.resolve(engine, new FolderSink(folder, source, plots), progress).result();
 			}
 		}
 	}

@@ -3,11 +3,14 @@ package io.github.knotresolver.imagej;
 import java.awt.GraphicsEnvironment;
 import java.util.Arrays;
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.function.IntToDoubleFunction;
 
 import ij.measure.ResultsTable;
 import ij.plugin.filter.Analyzer;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.io.FilamentSummary;
+import io.github.knotresolver.io.MeasuredFilament;
 import io.github.knotresolver.io.MeasuredFrame;
 import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.measure.Quantity;
@@ -15,12 +18,12 @@ import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.Observation;
 
 /**
- * A result as ImageJ's tables {@code <image>-contours} and
- * {@code <image>-frames}, with units in the headings.
+ * A result as ImageJ's tables {@code <image>-contours},
+ * {@code <image>-frames} and {@code <image>-filaments}, with units in the headings.
  */
 public final class ContourTables {
 
-	private static final String CONFIDENCE = "confidence";
+	private static final String CONFIDENCE = "confidence", FILAMENT = "filament";
 
 	private static final int PLACE_DECIMALS = 3, CURVATURE_DECIMALS = 5;
 
@@ -32,6 +35,7 @@ public final class ContourTables {
 	}
 
 	private final String image;
+	private final MeasuredTracks result;
 	private final List<MeasuredFrame> frames;
 	private final Calibration calibration;
 
@@ -41,6 +45,7 @@ public final class ContourTables {
 	 */
 	public ContourTables(final String image, final MeasuredTracks result) {
 		this.image = image;
+		this.result = result;
 		this.frames = result.frames();
 		this.calibration = result.calibration();
 	}
@@ -63,7 +68,8 @@ public final class ContourTables {
 			place("arc length" + length, (frame, contour) -> frame.arcLength()),
 			place("tangent angle" + unit("rad"), (frame, contour) -> frame.tangentAngle()),
 			column("curvature" + unit("1/" + calibration.unit()), CURVATURE_DECIMALS,
-				(frame, contour) -> frame.curvature())));
+				(frame, contour) -> frame.curvature()),
+			column(FILAMENT, 0, (frame, contour) -> points(contour, i -> frame.filament()))));
 	}
 
 	private PointTable.Column place(final String heading, final Values values) {
@@ -95,7 +101,7 @@ public final class ContourTables {
 		return values;
 	}
 
-	/** @return one row for every frame */
+	/** @return one row for every filament and frame */
 	public ResultsTable frames() {
 		final ResultsTable table = new ResultsTable();
 		table.setNaNEmptyCells(true);
@@ -115,13 +121,38 @@ public final class ContourTables {
 			table.addValue("candidates", tracked.candidates());
 			table.addValue("cost", tracked.cost());
 			table.addValue(CONFIDENCE, tracked.confidence());
+			table.addValue(FILAMENT, frame.filament());
 			table.addValue("reason", tracked.reason());
 		}
 		return table;
 	}
 
+	/** @return one row for every filament */
+	public ResultsTable filaments() {
+		final ResultsTable table = new ResultsTable();
+		table.setNaNEmptyCells(true);
+		final String length = unit(calibration.unit());
+		for (final MeasuredFilament filament : result.filaments()) {
+			final FilamentSummary s = FilamentSummary.of(filament, calibration.pixelSize());
+			table.addRow();
+			table.addValue(FILAMENT, filament.track().id());
+			table.addValue("anchor", filament.track().anchor().label());
+			table.addValue("first frame", orNaN(s.firstFrame()));
+			table.addValue("last frame", orNaN(s.lastFrame()));
+			table.addValue("length" + length, s.length());
+			table.addValue("length SE" + length, s.lengthError());
+			table.addValue("frames resolved", filament.track().resolved());
+			table.addValue("mean confidence", s.confidence());
+		}
+		return table;
+	}
+
+	private static double orNaN(final OptionalInt frame) {
+		return frame.isPresent() ? frame.getAsInt() : Double.NaN;
+	}
+
 	/**
-	 * Shows both tables under their names. Without a display, where ImageJ has
+	 * Shows the tables under their names. Without a display, where ImageJ has
 	 * no table but its Results, the frames become these, so that macros can read
 	 * them ({@code nResults}, {@code getResult}); rows of others are kept instead.
 	 *
@@ -132,6 +163,7 @@ public final class ContourTables {
 			return showAsResults();
 		points().show(image + "-contours");
 		frames().show(image + "-frames");
+		filaments().show(image + "-filaments");
 		return true;
 	}
 

@@ -2,11 +2,13 @@ package io.github.knotresolver.imagej;
 
 import java.awt.AlphaComposite;
 import java.awt.BasicStroke;
+import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.image.BufferedImage;
+import java.util.function.DoubleFunction;
 
 import net.imglib2.RandomAccess;
 import net.imglib2.RandomAccessibleInterval;
@@ -60,18 +62,19 @@ final class FramePainter {
 	/**
 	 * @param picture where to draw
 	 * @param contour a contour in pixels
+	 * @param colour of a place along it, 0..1
 	 * @param width of the line on the screen
 	 * @param opacity 0..1
 	 */
-	void draw(final BufferedImage picture, final Polyline contour, final double width,
-		final double opacity) {
+	void draw(final BufferedImage picture, final Polyline contour,
+		final DoubleFunction<Color> colour, final double width, final double opacity) {
 		final Graphics2D g = smooth(picture);
 		g.setComposite(AlphaComposite.getInstance(AlphaComposite.SRC_OVER, (float) opacity));
 		final int cap = opacity < 1 ? BasicStroke.CAP_BUTT : BasicStroke.CAP_ROUND;
 		g.setStroke(new BasicStroke((float) width, cap, BasicStroke.JOIN_ROUND));
 		final Polyline line = contour.resampled(STEP);
 		for (int i = 1; i < line.size(); i++) {
-			g.setColor(Palette.along(i / (double) (line.size() - 1)));
+			g.setColor(colour.apply(i / (double) (line.size() - 1)));
 			g.draw(new Line2D.Double(view.screenX(line.x(i - 1)), view.screenY(line.y(i - 1)),
 				view.screenX(line.x(i)), view.screenY(line.y(i))));
 		}

@@ -48,7 +48,7 @@ public final class ImageView {
 	 * @param tracks what was found in it
 	 */
 	public static void front(final ImagePlus image, final Tracks tracks) {
-		final Viewport part = Viewport.aroundContours(tracks);
+		final Viewport part = Viewport.aroundContours(tracks.movie(), tracks.filaments());
 		onEventThread(() -> {
 			final ImageWindow window = image.getWindow();
 			if (window == null || !window.isVisible())

@@ -9,6 +9,7 @@ import io.github.knotresolver.io.ResolvedRun;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.Engine;
 
 /** From a user's result folder to the study of movies like it. */
 public final class LikeRun {

@@ -2,9 +2,14 @@ package io.github.knotresolver.imagej;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.Point;
 import java.awt.image.BufferedImage;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
 
-import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Tracks;
 
 /**
@@ -20,6 +25,9 @@ public final class Montage {
 	private static final int WIDTH = 1920, BORDER = 3, GAP = 2, MOST_COLUMNS = 8, BRIGHTEST = 150;
 	private static final double LARGEST_SCALE = 4, LINE = 2, RING = 4;
 	private static final int DOT = 2;
+	private static final List<FrameStatus> WORST_FIRST = List.of(FrameStatus.UNRESOLVED,
+		FrameStatus.LOST, FrameStatus.RESOLVED, FrameStatus.CORRECTED, FrameStatus.IGNORED,
+		FrameStatus.ABSENT);
 
 	private Montage() {
 	}
@@ -29,39 +37,52 @@ public final class Montage {
 	 * @return the picture, at most {@value #WIDTH} pixels wide
 	 */
 	public static BufferedImage of(final Tracks tracks) {
+		return of(tracks, tracks.filaments());
+	}
+
+	/**
+	 * @param tracks a result
+	 * @param filaments those of its filaments that are shown
+	 * @return the picture of the part of the image in which they are
+	 */
+	public static BufferedImage of(final Tracks tracks, final List<FilamentTrack> filaments) {
 		final int[] chosen = chosen(tracks.movie().size());
 		final int columns = columns(chosen.length);
 		final int rows = (chosen.length + columns - 1) / columns;
-		final Viewport part = Viewport.aroundContours(tracks);
+		final Viewport part = Viewport.aroundContours(tracks.movie(), filaments);
 		final double room = (double) WIDTH / columns - GAP - 2 * BORDER;
 		final Viewport view = part.scaled(Math.min(LARGEST_SCALE, room / part.width()));
 		final int cellWidth = view.screenWidth() + 2 * BORDER + GAP,
 			cellHeight = view.screenHeight() + 2 * BORDER + GAP;
 		final BufferedImage montage = new BufferedImage(columns * cellWidth, rows * cellHeight,
 			BufferedImage.TYPE_INT_RGB);
-		final FramePainter painter = new FramePainter(Contrast.of(tracks.movie(), BRIGHTEST),
-			view);
+		final ContourPainter painter = new ContourPainter(tracks, filaments,
+			new FramePainter(Contrast.of(tracks.movie(), BRIGHTEST), view), LINE, RING);
 		final Graphics2D g = montage.createGraphics();
-		for (int i = 0; i < chosen.length; i++)
-			drawCell(g, tracks, chosen[i], painter, i % columns * cellWidth,
-				i / columns * cellHeight);
+		for (int i = 0; i < chosen.length; i++) {
+			g.setColor(Palette.of(worst(filaments, chosen[i])));
+			drawCell(g, painter.paint(chosen[i]), chosen[i] + 1,
+				new Point(i % columns * cellWidth, i / columns * cellHeight));
+		}
 		g.dispose();
 		return montage;
 	}
 
-	private static void drawCell(final Graphics2D g, final Tracks tracks, final int index,
-		final FramePainter painter, final int left, final int top) {
-		final Observation frame = tracks.only().frames().get(index);
-		final BufferedImage picture = painter.paint(tracks.movie().frame(index));
-		frame.contour().ifPresent(c -> {
-			painter.draw(picture, c, LINE, 1);
-			painter.mark(picture, c.first(), RING);
-		});
-		g.setColor(Palette.of(frame.status()));
-		g.fillRect(left, top, picture.getWidth() + 2 * BORDER, picture.getHeight() + 2 * BORDER);
-		g.drawImage(picture, left + BORDER, top + BORDER, null);
-		Digits.draw(g, frame.frame(), left + BORDER + 2 * DOT, top + BORDER + 2 * DOT, DOT,
+	private static void drawCell(final Graphics2D g, final BufferedImage picture, final int frame,
+		final Point corner) {
+		g.fillRect(corner.x, corner.y, picture.getWidth() + 2 * BORDER,
+			picture.getHeight() + 2 * BORDER);
+		g.drawImage(picture, corner.x + BORDER, corner.y + BORDER, null);
+		Digits.draw(g, frame, corner.x + BORDER + 2 * DOT, corner.y + BORDER + 2 * DOT, DOT,
 			Color.WHITE);
+	}
+
+	/** The border tells the filament that most needs a look. */
+	private static FrameStatus worst(final List<FilamentTrack> filaments, final int index) {
+		final Set<FrameStatus> present = EnumSet.noneOf(FrameStatus.class);
+		filaments.forEach(f -> present.add(f.frames().get(index).status()));
+		return WORST_FIRST.stream().filter(present::contains).findFirst()
+			.orElse(FrameStatus.ABSENT);
 	}
 
 	/** 0-based indices, evenly spread, first and last among them. */

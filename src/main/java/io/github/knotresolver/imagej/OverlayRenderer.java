@@ -11,12 +11,10 @@ import net.imglib2.type.numeric.RealType;
 import net.imglib2.type.numeric.real.DoubleType;
 
 import ij.ImagePlus;
-import ij.ImageStack;
-import ij.process.ColorProcessor;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.Movie;
-import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.progress.Progress;
 
 /**
  * The movie with its contours drawn in: frame by frame as an RGB stack, and all
@@ -34,23 +32,17 @@ public final class OverlayRenderer {
 
 	/**
 	 * @param tracks a result
-	 * @return an RGB stack of all frames, calibrated; images below 320 pixels at
-	 *         twice their size
+	 * @param progress asked before every frame is drawn
+	 * @return an RGB stack of all frames, calibrated, each drawn when it is asked for;
+	 *         images below 320 pixels at twice their size
 	 */
-	public static ImagePlus stack(final Tracks tracks) {
+	public static ImagePlus stack(final Tracks tracks, final Progress progress) {
 		final Movie movie = tracks.movie();
 		final int scale = Math.max(movie.width(), movie.height()) < SMALL ? 2 : 1;
 		final FramePainter painter = new FramePainter(Contrast.of(movie, BRIGHTEST),
 			Viewport.whole(movie, scale));
-		final ImageStack stack = new ImageStack(movie.width() * scale, movie.height() * scale);
-		for (final Observation frame : tracks.only().frames()) {
-			final BufferedImage picture = painter.paint(movie.frame(frame.frame() - 1));
-			frame.contour().ifPresent(c -> {
-				painter.draw(picture, c, LINE, 1);
-				painter.mark(picture, c.first(), RING);
-			});
-			stack.addSlice(frame.status().label(), new ColorProcessor(picture));
-		}
+		final OverlayStack stack = new OverlayStack(tracks, scale,
+			new ContourPainter(tracks, tracks.filaments(), painter, LINE, RING), progress);
 		final ImagePlus image = new ImagePlus(movie.name() + "-overlay", stack);
 		image.setDimensions(1, 1, movie.size());
 		image.setCalibration(calibration(movie.calibration(), scale));
@@ -63,15 +55,14 @@ public final class OverlayRenderer {
 	 */
 	public static BufferedImage projection(final Tracks tracks) {
 		final Movie movie = tracks.movie();
-		final Viewport part = Viewport.aroundContours(tracks);
+		final Viewport part = Viewport.aroundContours(movie, tracks.filaments());
 		final double scale = Math.min(LARGEST_SCALE,
 			(double) PICTURE / Math.max(part.width(), part.height()));
 		final FramePainter painter = new FramePainter(Contrast.of(movie, BACKDROP),
 			part.scaled(scale));
 		final BufferedImage picture = painter.paint(brightest(movie));
-		for (final Observation frame : tracks.only().frames())
-			frame.contour().ifPresent(c -> painter.draw(picture, c, LINE, FAINT));
-		tracks.only().fixedEnd().ifPresent(end -> painter.mark(picture, end, 2 * RING));
+		new ContourPainter(tracks, tracks.filaments(), painter, LINE, 2 * RING).drawAll(picture,
+			FAINT);
 		return picture;
 	}
 

@@ -7,13 +7,21 @@ import io.github.knotresolver.model.FrameStatus;
 /**
  * Colours that people with any colour vision tell apart: a ramp of rising
  * lightness along a filament, from blue violet at the fixed end over red to
- * yellow at the tip, bright enough on a dark image; and one colour a status
- * (after Okabe and Ito).
+ * yellow at the tip, bright enough on a dark image; a colour of its own for each of
+ * several filaments; and one colour a status (after Okabe and Ito).
  */
 final class Palette {
 
 	/** The mark of the fixed end. */
 	static final Color FIXED_END = new Color(0x56, 0xb4, 0xe9);
+
+	/** After Okabe and Ito, lightened for a dark image. */
+	private static final Color[] FILAMENTS = {new Color(0x56, 0xb4, 0xe9),
+		new Color(0xf0, 0xa5, 0x20), new Color(0x2f, 0xd0, 0x9c), new Color(0xe3, 0x8a, 0xbf),
+		new Color(0xf0, 0xe4, 0x42), new Color(0xff, 0x74, 0x38), new Color(0x6f, 0x8f, 0xff),
+		new Color(0xe8, 0xe8, 0xe8)};
+	/** How bright a filament is at its first end, of its own colour at the last. */
+	private static final double DARKEST = 0.55;
 
 	private static final int[][] RAMP = {{0x8b, 0x5c, 0xf6}, {0xb8, 0x4d, 0xd8}, {0xdc, 0x4a, 0xa8},
 		{0xf0, 0x5f, 0x73}, {0xf8, 0x87, 0x4a}, {0xfb, 0xb5, 0x33}, {0xf5, 0xe6, 0x4a}};
@@ -33,6 +41,26 @@ final class Palette {
 
 	private static int mix(final int i, final int channel, final double f) {
 		return (int) Math.rint(RAMP[i][channel] + f * (RAMP[i + 1][channel] - RAMP[i][channel]));
+	}
+
+	/**
+	 * @param filament number of a filament, from 1
+	 * @return its colour, told apart from those of the next seven
+	 */
+	static Color ofFilament(final int filament) {
+		return FILAMENTS[(filament - 1) % FILAMENTS.length];
+	}
+
+	/**
+	 * @param filament number of one of several filaments
+	 * @param fraction place along it, 0 at the first end to 1 at the last
+	 * @return its colour, getting brighter along it
+	 */
+	static Color along(final int filament, final double fraction) {
+		final Color colour = ofFilament(filament);
+		final double f = DARKEST + (1 - DARKEST) * Math.min(1, Math.max(0, fraction));
+		return new Color((int) (colour.getRed() * f), (int) (colour.getGreen() * f),
+			(int) (colour.getBlue() * f));
 	}
 
 	/**

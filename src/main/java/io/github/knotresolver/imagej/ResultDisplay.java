@@ -9,6 +9,7 @@ import ij.gui.Overlay;
 import ij.gui.Roi;
 import ij.plugin.frame.RoiManager;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Tracks;
 
@@ -39,7 +40,7 @@ public final class ResultDisplay {
 
 	/**
 	 * Adds one polyline a frame, each at its frame's position and coloured by its
-	 * confidence, in place of those of an earlier run on the same image.
+	 * confidence or, with several filaments, by its filament, in place of those of an earlier run on the same image.
 	 *
 	 * @param manager the ROI Manager
 	 */
@@ -59,15 +60,23 @@ public final class ResultDisplay {
 
 	private List<Roi> rois() {
 		final List<Roi> rois = new ArrayList<>();
-		for (final Observation frame : tracks.only().frames()) {
-			if (frame.contour().isEmpty())
-				continue;
-			final Roi roi = converter.roi(frame.contour().get(), frame.frame());
-			roi.setStrokeColor(Palette.ofConfidence(frame.confidence()));
-			roi.setProperty(OF_IMAGE, image.getTitle());
-			rois.add(roi);
-		}
+		for (final FilamentTrack filament : tracks.filaments())
+			for (final Observation frame : filament.frames()) {
+				if (frame.contour().isEmpty())
+					continue;
+				final Roi roi = converter.roi(frame.contour().get(), frame.frame(),
+					number(filament));
+				if (number(filament) == 0)
+					roi.setStrokeColor(Palette.ofConfidence(frame.confidence()));
+				roi.setProperty(OF_IMAGE, image.getTitle());
+				rois.add(roi);
+			}
 		return rois;
+	}
+
+	/** 0 for the only filament. */
+	private int number(final FilamentTrack filament) {
+		return tracks.filaments().size() == 1 ? 0 : filament.id();
 	}
 
 	/** One by one: deleting a selection asks a person if the selection is lost. */
@@ -87,19 +96,23 @@ public final class ResultDisplay {
 			for (final Roi roi : image.getOverlay())
 				if (roi.getName() == null || !roi.getName().startsWith(RoiConverter.PREFIX))
 					overlay.add(roi);
-		for (final Observation frame : tracks.only().frames())
-			frame.contour().ifPresent(c -> pieces(c, frame.frame()).forEach(overlay::add));
+		for (final FilamentTrack filament : tracks.filaments())
+			for (final Observation frame : filament.frames())
+				frame.contour()
+					.ifPresent(c -> pieces(c, frame.frame(), filament).forEach(overlay::add));
 		image.setOverlay(overlay);
 	}
 
-	private List<Roi> pieces(final Polyline contour, final int frame) {
+	private List<Roi> pieces(final Polyline contour, final int frame,
+		final FilamentTrack filament) {
 		final Polyline line = contour.divided(PIECES * LINKS);
 		final List<Roi> pieces = new ArrayList<>(PIECES);
 		for (int i = 0; i < PIECES; i++) {
 			final double[] x = Arrays.copyOfRange(line.xs(), i * LINKS, (i + 1) * LINKS + 1);
 			final double[] y = Arrays.copyOfRange(line.ys(), i * LINKS, (i + 1) * LINKS + 1);
-			final Roi roi = converter.roi(Polyline.of(x, y), frame);
-			roi.setStrokeColor(Palette.along((i + 0.5) / PIECES));
+			final Roi roi = converter.roi(Polyline.of(x, y), frame, number(filament));
+			roi.setStrokeColor(
+				ContourPainter.colour(tracks, filament).apply((i + 0.5) / PIECES));
 			pieces.add(roi);
 		}
 		return pieces;

@@ -1,6 +1,7 @@
 package io.github.knotresolver.imagej;
 
 import java.awt.Rectangle;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -11,6 +12,9 @@ import ij.gui.PolygonRoi;
 import ij.gui.Roi;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.io.MeasuredFilament;
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Region;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
@@ -27,6 +31,8 @@ public final class RoiConverter {
 	static final String PREFIX = "knot-";
 
 	private static final int LEAST_DIGITS = 4;
+	/** ImageJ keeps a group in one byte. */
+	private static final int MOST_GROUPS = 255;
 
 	/** Where ROIs of a frame stand. */
 	private interface Place {
@@ -70,22 +76,35 @@ public final class RoiConverter {
 
 	/**
 	 * @param tracks a result
-	 * @return one sub-pixel polyline for every frame that has a contour, in
-	 *         order, with name and position
+	 * @return one sub-pixel polyline for every filament and frame that has a contour,
+	 *         filament by filament, with name and position; with several filaments, their
+	 *         number is in the name, and is the group
 	 */
 	public List<Roi> rois(final Tracks tracks) {
-		return tracks.only().frames().stream().filter(f -> f.contour().isPresent())
-			.map(f -> roi(f.contour().orElseThrow(), f.frame())).toList();
+		final List<Roi> rois = new ArrayList<>();
+		for (final FilamentTrack filament : tracks.filaments())
+			for (final Observation frame : filament.frames())
+				frame.contour().ifPresent(c -> rois
+					.add(roi(c, frame.frame(), tracks.filaments().size() == 1 ? 0 : filament.id())));
+		return rois;
 	}
 
 	/**
 	 * @param contour a contour in pixels
 	 * @param frame its 1-based frame
+	 * @param filament its filament's number if there are several; 0 for the only one
 	 * @return a sub-pixel polyline with name and position
 	 */
-	Roi roi(final Polyline contour, final int frame) {
+	Roi roi(final Polyline contour, final int frame, final int filament) {
 		final Roi roi = polyline(contour);
-		roi.setName(PREFIX + String.format(Locale.ROOT, "%0" + digits + "d", frame));
+		final String number = String.format(Locale.ROOT, "%0" + digits + "d", frame);
+		if (filament == 0)
+			roi.setName(PREFIX + number);
+		else {
+			roi.setName(PREFIX + MeasuredFilament.number(filament) + "-" + number);
+			roi.setGroup((filament - 1) % MOST_GROUPS + 1);
+			roi.setStrokeColor(Palette.ofFilament(filament));
+		}
 		place.set(roi, frame);
 		return roi;
 	}

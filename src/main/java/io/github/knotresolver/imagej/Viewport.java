@@ -1,7 +1,10 @@
 package io.github.knotresolver.imagej;
 
+import java.util.List;
+
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Movie;
-import io.github.knotresolver.model.Tracks;
 
 /**
  * A part of the image and how large it is shown.
@@ -26,16 +29,13 @@ record Viewport(int x, int y, int width, int height, double scale) {
 	}
 
 	/**
-	 * The part of the image where the contours of all frames are; the whole image
+	 * The part of the image where the contours of these filaments are; the whole image
 	 * if there are none.
 	 */
-	static Viewport aroundContours(final Tracks tracks) {
-		final Movie movie = tracks.movie();
+	static Viewport aroundContours(final Movie movie, final List<FilamentTrack> filaments) {
 		int left = movie.width(), top = movie.height(), right = -1, bottom = -1;
-		for (final var frame : tracks.only().frames()) {
-			if (frame.contour().isEmpty())
-				continue;
-			final var contour = frame.contour().get();
+		for (final Polyline contour : filaments.stream().flatMap(f -> f.frames().stream())
+			.flatMap(f -> f.contour().stream()).toList()) {
 			for (int i = 0; i < contour.size(); i++) {
 				left = Math.min(left, (int) Math.floor(contour.x(i)) - MARGIN);
 				right = Math.max(right, (int) Math.ceil(contour.x(i)) + MARGIN);

@@ -26,19 +26,23 @@ import io.github.knotresolver.options.OptionText;
  * the smoothed contour, and {@code arc_length, tangent_angle, curvature} are those of
  * this curve: lengths in the row's {@code unit}, {@code tangent_angle} in radians,
  * {@code curvature} in 1/unit. {@code pixel_size} is a pixel's edge in the unit.
- * Corrections by a user have the first four columns.
+ * {@code filament} is the filament's number, from 1. Corrections by a user have the
+ * first four columns.
  */
 public final class ContoursCsv {
 
 	/** The file's name in a result folder. */
 	public static final String FILE = "contours.csv";
 
+	/** The column that tells the filament's number; a file without it is of filament 1. */
+	static final String FILAMENT = "filament";
+
 	/** The column that tells a pixel's edge in the row's unit. */
 	static final String PIXEL_SIZE = "pixel_size";
 
 	private static final double LARGEST = 100_000;
 	private static final String[] HEADER = {"frame", "index", "x_px", "y_px", "x", "y",
-		"arc_length", "tangent_angle", "curvature", "unit", PIXEL_SIZE};
+		"arc_length", "tangent_angle", "curvature", "unit", PIXEL_SIZE, FILAMENT};
 	private static final List<String> NEEDED = List.of("frame", "index", "x_px", "y_px");
 
 	private ContoursCsv() {
@@ -67,7 +71,8 @@ public final class ContoursCsv {
 			csv.printRecord(frame.tracked().frame(), i, NumberText.pixels(contour.x(i)),
 				NumberText.pixels(contour.y(i)),
 				NumberText.significant(x[i]), NumberText.significant(y[i]), at(arc, i),
-				at(angle, i), at(curvature, i), c.unit(), NumberText.significant(c.pixelSize(), 12));
+				at(angle, i), at(curvature, i), c.unit(), NumberText.significant(c.pixelSize(), 12),
+				frame.filament());
 	}
 
 	private static String at(final double[] values, final int i) {

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import org.apache.commons.csv.CSVPrinter;
 
 import io.github.knotresolver.measure.Quantity;
+import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 
 /**
@@ -20,7 +21,8 @@ public final class FramesCsv {
 	public static final String FILE = "frames.csv";
 
 	private static final String[] HEADER = {"frame", "status", "reason", "length", "end_to_end",
-		"tip_angle", "junctions", "crossings", "candidates", "cost", "confidence", "unit"};
+		"tip_angle", "junctions", "crossings", "candidates", "cost", "confidence", "unit",
+		ContoursCsv.FILAMENT, "visible", "checked"};
 
 	private FramesCsv() {
 	}
@@ -38,9 +40,23 @@ public final class FramesCsv {
 					text(frame, Quantity.LENGTH), text(frame, Quantity.END_TO_END),
 					text(frame, Quantity.TIP_ANGLE), tracked.junctions(), tracked.crossings(),
 					tracked.candidates(), NumberText.significant(tracked.cost()),
-					NumberText.significant(tracked.confidence()), result.calibration().unit());
+					NumberText.significant(tracked.confidence()), result.calibration().unit(),
+					frame.filament(), visible(tracked), checked(tracked));
 			}
 		}
+	}
+
+	/** Of a filament that was not found, nobody knows it. */
+	private static String visible(final Observation tracked) {
+		return switch (tracked.status()) {
+			case RESOLVED, CORRECTED -> NumberText.significant(tracked.visible());
+			case ABSENT -> "0";
+			case UNRESOLVED, LOST, IGNORED -> "";
+		};
+	}
+
+	private static int checked(final Observation tracked) {
+		return tracked.status() == FrameStatus.CORRECTED ? 1 : 0;
 	}
 
 	private static String text(final MeasuredFrame frame, final Quantity quantity) {

@@ -12,11 +12,12 @@ import io.github.knotresolver.model.Observation;
 /**
  * A frame of a result with its measurement.
  *
+ * @param filament number of the filament
  * @param tracked what was found
  * @param measurement what was measured; empty without a contour that can be
  *          measured
  */
-public record MeasuredFrame(Observation tracked, Optional<FrameMeasurement> measurement) {
+public record MeasuredFrame(int filament, Observation tracked, Optional<FrameMeasurement> measurement) {
 
 	private static final double[] NOTHING = {};
 

@@ -1,17 +1,12 @@
 package io.github.knotresolver.io;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.IntStream;
 
-import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.measure.ContourGeometry;
 import io.github.knotresolver.measure.DominantFrequency;
-import io.github.knotresolver.measure.MovieMeasurements;
-import io.github.knotresolver.measure.Quantity;
-import io.github.knotresolver.measure.Rigidity;
 import io.github.knotresolver.model.Calibration;
-import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
 
@@ -20,11 +15,13 @@ import io.github.knotresolver.progress.Progress;
  * from.
  *
  * @param tracks the result
- * @param measurements of its contours; empty if none can be measured
- * @param frames the frames in order
+ * @param filaments its filaments, measured, in the same order
  */
-public record MeasuredTracks(Tracks tracks, Optional<MovieMeasurements> measurements,
-	List<MeasuredFrame> frames) {
+public record MeasuredTracks(Tracks tracks, List<MeasuredFilament> filaments) {
+
+	public MeasuredTracks {
+		filaments = List.copyOf(filaments);
+	}
 
 	/**
 	 * @param tracks a result
@@ -32,24 +29,24 @@ public record MeasuredTracks(Tracks tracks, Optional<MovieMeasurements> measurem
 	 * @return it, measured
 	 */
 	public static MeasuredTracks of(final Tracks tracks, final Progress progress) {
-		final List<Optional<Polyline>> contours = tracks.only().frames().stream()
-			.map(Observation::contour).toList();
-		if (contours.stream().noneMatch(c -> c.filter(ContourGeometry::isMeasurable).isPresent()))
-			return new MeasuredTracks(tracks, Optional.empty(), tracks.only().frames().stream()
-				.map(f -> new MeasuredFrame(f, Optional.empty())).toList());
-		final MovieMeasurements measurements = MovieMeasurements.of(tracks.movie().name(),
-			contours, tracks.movie().calibration(), Optional.empty(), Rigidity.UNKNOWN,
-			lengthError(tracks), progress);
-		return new MeasuredTracks(tracks, Optional.of(measurements),
-			IntStream.range(0, contours.size())
-				.mapToObj(i -> new MeasuredFrame(tracks.only().frames().get(i),
-					Optional.of(measurements.frames().get(i))))
-				.toList());
+		final List<MeasuredFilament> filaments = new ArrayList<>();
+		for (final FilamentTrack track : tracks.filaments()) {
+			final String name = tracks.movie().name() + (tracks.filaments().size() > 1
+				? "-" + MeasuredFilament.number(track.id())
+				: "");
+			filaments.add(MeasuredFilament.of(tracks.movie(), track, name, progress));
+		}
+		return new MeasuredTracks(tracks, filaments);
 	}
 
-	private static double lengthError(final Tracks tracks) {
-		final double error = tracks.only().lengthError();
-		return Double.isFinite(error) ? error * tracks.movie().calibration().pixelSize() : 0;
+	/** @return the frames of all filaments: filament by filament, each in order */
+	public List<MeasuredFrame> frames() {
+		return filaments.stream().flatMap(f -> f.frames().stream()).toList();
+	}
+
+	/** @return whether there is more than one filament */
+	public boolean isSeveral() {
+		return filaments.size() > 1;
 	}
 
 	/** @return units of length and time */
@@ -57,9 +54,12 @@ public record MeasuredTracks(Tracks tracks, Optional<MovieMeasurements> measurem
 		return tracks.movie().calibration();
 	}
 
-	/** @return the tip angle's dominant frequency; empty if it has none */
+	/**
+	 * @return the dominant frequency of the tip angle of the only filament; empty if it
+	 *         has none, or there are several, each with its own
+	 */
 	public Optional<DominantFrequency> dominantFrequency() {
-		return measurements.flatMap(m -> m.dominantFrequency(Quantity.TIP_ANGLE));
+		return filaments.size() == 1 ? filaments.get(0).dominantFrequency() : Optional.empty();
 	}
 
 	/** @return unit of frequencies: {@code Hz}, or {@code 1/unit of time} */

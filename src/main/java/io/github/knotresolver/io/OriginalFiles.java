@@ -39,13 +39,13 @@ public final class OriginalFiles {
 
 	/**
 	 * @param file the file to write
-	 * @param result a measured result
+	 * @param filament a measured filament
 	 * @throws IOException if the disk says no
 	 */
-	public static void writeContours(final Path file, final MeasuredTracks result)
+	public static void writeContours(final Path file, final MeasuredFilament filament)
 		throws IOException {
 		try (CSVPrinter csv = CsvFile.create(file)) {
-			for (final MeasuredFrame frame : result.frames()) {
+			for (final MeasuredFrame frame : filament.frames()) {
 				if (frame.tracked().contour().isEmpty())
 					continue;
 				final Polyline contour = frame.tracked().contour().get();
@@ -58,13 +58,14 @@ public final class OriginalFiles {
 
 	/**
 	 * @param file the file to write
-	 * @param result a measured result
+	 * @param filament a measured filament
+	 * @param result the result that it belongs to
 	 * @throws IOException if the disk says no
 	 */
-	public static void writeStatistics(final Path file, final MeasuredTracks result)
-		throws IOException {
+	public static void writeStatistics(final Path file, final MeasuredFilament filament,
+		final MeasuredTracks result) throws IOException {
 		final Calibration c = result.calibration();
-		final List<MeasuredFrame> measured = result.frames().stream()
+		final List<MeasuredFrame> measured = filament.frames().stream()
 			.filter(f -> !Double.isNaN(f.length())).toList();
 		OriginalStatistics.write(file,
 			new OriginalQuantities(measured.stream().mapToInt(f -> f.tracked().frame()).toArray(),
@@ -72,7 +73,7 @@ public final class OriginalFiles {
 				values(measured, f -> folded(tipDirection(f.tracked().contour().orElseThrow()))),
 				values(measured, f -> folded(f.get(Quantity.TIP_ANGLE))),
 				values(measured, f -> f.get(Quantity.END_TO_END)),
-				result.dominantFrequency().map(DominantFrequency::frequency).orElse(Double.NaN)),
+				filament.dominantFrequency().map(DominantFrequency::frequency).orElse(Double.NaN)),
 			c, result.frequencyUnit());
 	}
 

@@ -17,6 +17,7 @@ import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.options.InputOptions;
@@ -97,12 +98,26 @@ public final class ParametersJson {
 	private static Map<String, Object> found(final Tracks tracks) {
 		final double pixelSize = tracks.movie().calibration().pixelSize();
 		final Map<String, Object> json = new LinkedHashMap<>();
-		json.put("fixed_end", tracks.only().fixedEnd()
-			.map(p -> NumberText.pixels(p.x()) + "," + NumberText.pixels(p.y())).orElse(null));
-		json.put("length", finite(tracks.only().length() * pixelSize));
-		json.put("length_uncertainty", finite(tracks.only().lengthError() * pixelSize));
+		if (tracks.filaments().size() == 1)
+			put(json, tracks.filaments().get(0), pixelSize);
 		json.put("resolved_frames", tracks.resolved());
+		json.put("filaments", tracks.filaments().stream().map(f -> {
+			final Map<String, Object> one = new LinkedHashMap<>();
+			one.put("filament", f.id());
+			one.put("anchor", f.anchor().label());
+			put(one, f, pixelSize);
+			one.put("resolved_frames", f.resolved());
+			return one;
+		}).toList());
 		return json;
+	}
+
+	private static void put(final Map<String, Object> json, final FilamentTrack filament,
+		final double pixelSize) {
+		json.put("fixed_end", filament.fixedEnd()
+			.map(p -> NumberText.pixels(p.x()) + "," + NumberText.pixels(p.y())).orElse(null));
+		json.put("length", finite(filament.length() * pixelSize));
+		json.put("length_uncertainty", finite(filament.lengthError() * pixelSize));
 	}
 
 	private static Map<String, List<String>> corrections(final Map<Integer, Polyline> contours) {

@@ -85,14 +85,13 @@ public record RunIdentity(Path movie, String sha256, String version, Map<String,
 	}
 
 	/**
-	 * @param movie the movie's file; null if it has none
+	 * @param movie the movie's file; empty if it has none
 	 * @param texts the options that were given, by key
 	 * @return all files that are read
 	 */
-	public static List<Path> files(final Path movie, final Map<String, String> texts) {
-		final List<Path> files = new ArrayList<>();
-		if (movie != null)
-			files.add(movie);
+	public static List<Path> files(final Optional<Path> movie,
+		final Map<String, String> texts) {
+		final List<Path> files = new ArrayList<>(movie.stream().toList());
 		final String corrections = texts.get(CORRECTIONS_KEY);
 		if (corrections != null && !corrections.isBlank())
 			files.add(Path.of(corrections));

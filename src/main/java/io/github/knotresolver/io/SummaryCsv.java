@@ -13,8 +13,8 @@ import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.options.InputOptions;
 
 /**
- * {@code summary.csv}: one row for the movie. Lengths are in {@code unit}, the
- * dominant frequency of the tip angle and its standard error in
+ * {@code summary.csv}: one row for the movie, all filaments together. Lengths are in {@code unit}, the
+ * dominant frequency of the tip angle of the only filament and its standard error in
  * {@code frequency_unit}; {@code false_alarm} is the probability that noise alone
  * shows such a peak (0..1);
  * {@code parameters} are the options on one line, as a macro has them.
@@ -26,7 +26,8 @@ public final class SummaryCsv {
 
 	private static final String[] HEADER = {"movie", "frames", "resolved", "length_mean",
 		"length_median", "length_sd", "length_min", "length_max", "unit", "dominant_frequency",
-		"dominant_frequency_se", "false_alarm", "frequency_unit", "version", "parameters"};
+		"dominant_frequency_se", "false_alarm", "frequency_unit", "version", "parameters",
+		"filaments"};
 
 	private SummaryCsv() {
 	}
@@ -50,7 +51,8 @@ public final class SummaryCsv {
 				result.calibration().unit(), text(f, DominantFrequency::frequency),
 				text(f, DominantFrequency::standardError),
 				text(f, DominantFrequency::falseAlarmProbability), result.frequencyUnit(),
-				ProgramVersion.get(), ParametersJson.line(tracks, input));
+				ProgramVersion.get(), ParametersJson.line(tracks, input),
+				tracks.filaments().size());
 		}
 	}
 

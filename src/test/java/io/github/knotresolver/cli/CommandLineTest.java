@@ -26,7 +26,7 @@ import ij.IJ;
 import ij.ImagePlus;
 import ij.gui.Roi;
 import ij.io.RoiDecoder;
-import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.imagej.TestImages;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.CancelledException;
@@ -35,7 +35,7 @@ import io.github.knotresolver.progress.Progress;
 /** What a user types, and what comes of it. */
 class CommandLineTest {
 
-	private static final List<String> FILES = List.of("MTdata.csv", "RoiSet.zip", "contours.csv",
+	private static final List<String> FILES = List.of("MTdata.csv", "RoiSet.zip", "contours.csv", "filaments.csv",
 		"frames.csv", "montage.png", "overlay.avi", "overlay.png", "overlay.tif", "parameters.json",
 		"statsSummary.txt", "summary.csv");
 
@@ -60,7 +60,7 @@ class CommandLineTest {
 		assertTrue(run.out.contains("Frames lost: 2"), run.out);
 		assertTrue(names(out).containsAll(FILES), names(out).toString());
 		assertEquals(List.of("movie.tif", "result"), names(home));
-		assertEquals("2,lost,\"The filament, it seems, is \"\"gone\"\".\",,,,0,0,0,,,µm",
+		assertEquals("2,lost,\"The filament, it seems, is \"\"gone\"\".\",,,,0,0,0,,,µm,1,,0",
 			Files.readAllLines(out.resolve("frames.csv")).get(2));
 	}
 

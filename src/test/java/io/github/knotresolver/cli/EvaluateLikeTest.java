@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.progress.Progress;
 
 /** {@code evaluate --like} as a user types it, after a movie was simulated and resolved. */

@@ -13,7 +13,7 @@ import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.model.Anchor;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.FrameStatus;

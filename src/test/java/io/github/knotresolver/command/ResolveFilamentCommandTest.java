@@ -43,7 +43,7 @@ import ij.ImagePlus;
 import ij.WindowManager;
 import ij.gui.PointRoi;
 import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.imagej.Engine;
+import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.imagej.SampleMovie;
 import io.github.knotresolver.imagej.TestImages;
 import io.github.knotresolver.imagej.form.Form;

@@ -172,7 +172,7 @@ public final class MethodFigures {
 		for (int i = 0; i < 3; i++) {
 			final BufferedImage panel = painter.paint(frame);
 			final Polyline way = ContourBuilder.smooth(trails.get(i));
-			painter.draw(panel, way, LINE, 1);
+			painter.draw(panel, way, Palette::along, LINE, 1);
 			painter.mark(panel, way.first(), DOT);
 			add(String.format(Locale.ROOT, "trail %d of %d, price %.1f px", i + 1, trails.size(),
 				trails.get(i).price().total()), panel);
@@ -181,7 +181,7 @@ public final class MethodFigures {
 
 	private void addFit() {
 		final BufferedImage panel = painter.paint(frame);
-		painter.draw(panel, contour, LINE, 1);
+		painter.draw(panel, contour, Palette::along, LINE, 1);
 		painter.mark(panel, contour.first(), DOT);
 		add("the fit that the movie chose", panel);
 		final Chain chain = Chain.along(contour, FilamentEstimator.links(contour.length()),

@@ -49,21 +49,21 @@ class ResultFilesTest {
 		final MeasuredTracks result = MeasuredTracks.of(tracks, Progress.NONE);
 		ContoursCsv.write(home.resolve("c"), result);
 		FramesCsv.write(home.resolve("f"), result);
-		OriginalFiles.writeContours(home.resolve("m"), result);
+		OriginalFiles.writeContours(home.resolve("m"), result.filaments().get(0));
 
 		final List<String> contours = Files.readAllLines(home.resolve("c"));
-		assertEquals("frame,index,x_px,y_px,x,y,arc_length,tangent_angle,curvature,unit,pixel_size",
+		assertEquals("frame,index,x_px,y_px,x,y,arc_length,tangent_angle,curvature,unit,pixel_size,filament",
 			contours.get(0));
-		assertEquals("1,0,2.000,5.000,1,2.5,0,0,0,µm,0.5", contours.get(1));
-		assertEquals("1,20,22.000,5.000,11,2.5,10,0,0,µm,0.5", contours.get(21));
-		assertEquals("3,0,2.000,5.000,1,2.5,0,0.927295,0,µm,0.5", contours.get(22));
+		assertEquals("1,0,2.000,5.000,1,2.5,0,0,0,µm,0.5,1", contours.get(1));
+		assertEquals("1,20,22.000,5.000,11,2.5,10,0,0,µm,0.5,1", contours.get(21));
+		assertEquals("3,0,2.000,5.000,1,2.5,0,0.927295,0,µm,0.5,1", contours.get(22));
 		final List<String> rows = Files.readAllLines(home.resolve("f"));
 		assertEquals(
-			"frame,status,reason,length,end_to_end,tip_angle,junctions,crossings,candidates,cost,confidence,unit",
+			"frame,status,reason,length,end_to_end,tip_angle,junctions,crossings,candidates,cost,confidence,unit,filament,visible,checked",
 			rows.get(0));
-		assertEquals("1,resolved,,10,10,0,2,0,5,1.25,0.875,µm", rows.get(1));
-		assertEquals("2,lost,\"Gone, it seems.\",,,,0,0,0,,,µm", rows.get(2));
-		assertEquals("3,corrected,,10,10,0.927295,2,0,5,1.25,0.875,µm", rows.get(3));
+		assertEquals("1,resolved,,10,10,0,2,0,5,1.25,0.875,µm,1,1,0", rows.get(1));
+		assertEquals("2,lost,\"Gone, it seems.\",,,,0,0,0,,,µm,1,,0", rows.get(2));
+		assertEquals("3,corrected,,10,10,0.927295,2,0,5,1.25,0.875,µm,1,1,1", rows.get(3));
 		assertEquals("1,3.000,6.000", Files.readAllLines(home.resolve("m")).get(0));
 		assertTrue(!Files.readString(home.resolve("f")).contains("\r"));
 	}
@@ -78,7 +78,7 @@ class ResultFilesTest {
 		assertEquals(2, rows.size());
 		assertTrue(rows.get(1).startsWith("a movie.tif,3,2,10,10,0,10,10,µm,,,,Hz,"), rows.get(1));
 		assertTrue(rows.get(1).endsWith(
-			",\"fixed_end=2.0,5.0 threshold=otsu iterations=10 contraction_bias=0.4 smooth_factor=0.2 segmentation=evidence polarity=auto candidates=trails resolver=movie length=10.0 length_model=auto refine=true channel=1 z_as_time=false pixel_size=0.5 unit=µm frame_interval=2.0\""),
+			",\"fixed_end=2.0,5.0 threshold=otsu iterations=10 contraction_bias=0.4 smooth_factor=0.2 segmentation=evidence polarity=auto candidates=trails resolver=movie length=10.0 length_model=auto refine=true channel=1 z_as_time=false pixel_size=0.5 unit=µm frame_interval=2.0\",1"),
 			rows.get(1));
 	}
 
@@ -110,7 +110,7 @@ class ResultFilesTest {
 	void statisticsHaveTheOriginalsFormat() throws IOException {
 		final MeasuredTracks result = MeasuredTracks
 			.of(tracks(RunOptions.parse(Map.of())), Progress.NONE);
-		OriginalFiles.writeStatistics(home.resolve("s"), result);
+		OriginalFiles.writeStatistics(home.resolve("s"), result.filaments().get(0), result);
 		assertEquals("""
 			Statistics Summary
 			------------------

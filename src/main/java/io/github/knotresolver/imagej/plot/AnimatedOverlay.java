@@ -30,7 +30,8 @@ public final class AnimatedOverlay {
 			throw new UserException(
 				"The speed must be above 0 and at most 60 frames per second, but is "
 					+ framesPerSecond + ".");
-		final ImagePlus film = overlay.duplicate();
+		// The stack may be larger than memory, so it is not copied.
+		final ImagePlus film = new ImagePlus(overlay.getTitle(), overlay.getStack());
 		film.getCalibration().fps = framesPerSecond;
 		Files.deleteIfExists(file);
 		new AVI_Writer().writeImage(film, file.toString(), AVI_Writer.JPEG_COMPRESSION, QUALITY);

@@ -1,13 +1,15 @@
 package io.github.knotresolver.imagej.plot;
 
+import java.awt.Dimension;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
 
 import org.jfree.chart.ChartUtils;
 import org.jfree.chart.JFreeChart;
@@ -25,7 +27,8 @@ public final class Figures {
 	private static final int WIDTH = 450, HEIGHT = 300, SQUARE_WIDTH = 440, SQUARE_HEIGHT = 380;
 	/** PNG pixels for each point of a chart: 1800 pixels for a page's width. */
 	private static final int PNG_SCALE = 4;
-	private static final String CONTOURS = "contours";
+	private static final String CONTOURS = "contours", TANGENT_ANGLE = "tangent_angle_kymograph",
+		CURVATURE = "curvature_kymograph";
 
 	private Figures() {
 	}
@@ -41,13 +44,21 @@ public final class Figures {
 	 */
 	public static Map<String, JFreeChart> charts(final MovieMeasurements m) {
 		final Map<String, JFreeChart> charts = new LinkedHashMap<>();
-		charts.put(CONTOURS, ContoursChart.of(m));
-		charts.put("tangent_angle_kymograph", KymographChart.tangentAngle(m));
-		charts.put("curvature_kymograph", KymographChart.curvature(m));
+		suppliers(m).forEach(
+			(name, chart) -> chart.get().ifPresent(present -> charts.put(name, present)));
+		return charts;
+	}
+
+	private static Map<String, Supplier<Optional<JFreeChart>>> suppliers(
+		final MovieMeasurements m) {
+		final Map<String, Supplier<Optional<JFreeChart>>> charts = new LinkedHashMap<>();
+		charts.put(CONTOURS, () -> Optional.of(ContoursChart.of(m)));
+		charts.put(TANGENT_ANGLE, () -> Optional.of(KymographChart.tangentAngle(m)));
+		charts.put(CURVATURE, () -> Optional.of(KymographChart.curvature(m)));
 		for (final Quantity q : List.of(Quantity.END_TO_END, Quantity.LENGTH, Quantity.TIP_ANGLE))
-			charts.put(q.key(), SeriesChart.of(m, q));
+			charts.put(q.key(), () -> Optional.of(SeriesChart.of(m, q)));
 		for (final Quantity q : m.spectra())
-			SpectrumChart.of(m, q).ifPresent(c -> charts.put(q.key() + "_spectrum", c));
+			charts.put(q.key() + "_spectrum", () -> SpectrumChart.of(m, q));
 		return charts;
 	}
 
@@ -55,59 +66,61 @@ public final class Figures {
 	 * Writes every chart as PNG and SVG, and the kymographs as calibrated 32-bit
 	 * TIFF. Works without a display.
 	 *
-	 * @param folder an existing folder
+	 * @param pictures draws them
+	 * @param suffix what the files' names have before their ending; may be empty
 	 * @param m the measurements
 	 * @param progress told how far it is; may cancel
-	 * @return the files, in a fixed order
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
-	public static List<Path> writeAll(final Path folder, final MovieMeasurements m,
-		final Progress progress) throws IOException {
-		final List<Path> files = new ArrayList<>(writeKymographs(folder, m));
-		final Map<String, JFreeChart> charts = charts(m);
+	public static void write(final Pictures pictures, final String suffix,
+		final MovieMeasurements m, final Progress progress) throws IOException {
+		writeKymographs(pictures, suffix, m);
+		final Map<String, Supplier<Optional<JFreeChart>>> charts = suppliers(m);
 		int done = 0;
-		for (final Map.Entry<String, JFreeChart> chart : charts.entrySet()) {
+		for (final Map.Entry<String, Supplier<Optional<JFreeChart>>> chart : charts.entrySet()) {
 			progress.report("Drawing figures", done++ / (double) charts.size());
 			progress.checkCancelled();
 			final boolean square = chart.getKey().equals(CONTOURS);
-			final int width = square ? SQUARE_WIDTH : WIDTH;
-			final int height = square ? SQUARE_HEIGHT : HEIGHT;
-			files.addAll(write(folder, chart.getKey(), chart.getValue(), width, height));
+			write(pictures, chart.getKey() + suffix, chart.getValue(),
+				square
+					? new Dimension(SQUARE_WIDTH, SQUARE_HEIGHT)
+					: new Dimension(WIDTH, HEIGHT));
 		}
 		progress.report("Drawing figures", 1);
-		return files;
 	}
 
 	/** Writes one chart as PNG and SVG, of the usual size. */
-	static List<Path> write(final Path folder, final String name, final JFreeChart chart)
+	static void write(final Pictures pictures, final String name, final JFreeChart chart)
 		throws IOException {
-		return write(folder, name, chart, WIDTH, HEIGHT);
+		write(pictures, name, () -> Optional.of(chart), new Dimension(WIDTH, HEIGHT));
 	}
 
-	private static List<Path> write(final Path folder, final String name, final JFreeChart chart,
-		final int width, final int height) throws IOException {
-		final Path png = folder.resolve(name + ".png"), svg = folder.resolve(name + ".svg");
-		Files.write(png, png(chart, width, height));
-		SvgChart.write(svg, chart, width, height);
-		return List.of(png, svg);
+	private static void write(final Pictures pictures, final String name,
+		final Supplier<Optional<JFreeChart>> supplier, final Dimension size) throws IOException {
+		pictures.draw(name + ".png", png -> {
+			final Optional<JFreeChart> chart = supplier.get();
+			if (chart.isEmpty())
+				return;
+			Files.write(png, png(chart.get(), size.width, size.height));
+			pictures.draw(name + ".svg",
+				svg -> SvgChart.write(svg, chart.get(), size.width, size.height));
+		});
 	}
 
 	/**
 	 * Writes {@code tangent_angle_kymograph.tif} and
 	 * {@code curvature_kymograph.tif}.
 	 *
-	 * @param folder an existing folder
+	 * @param pictures draws them
+	 * @param suffix what the files' names have before their ending; may be empty
 	 * @param m the measurements
-	 * @return the two files
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
-	public static List<Path> writeKymographs(final Path folder, final MovieMeasurements m)
-		throws IOException {
-		final Path angle = folder.resolve("tangent_angle_kymograph.tif");
-		final Path curvature = folder.resolve("curvature_kymograph.tif");
-		writeTiff(angle, tangentAngleImage(m));
-		writeTiff(curvature, curvatureImage(m));
-		return List.of(angle, curvature);
+	public static void writeKymographs(final Pictures pictures, final String suffix,
+		final MovieMeasurements m) throws IOException {
+		pictures.draw(TANGENT_ANGLE + suffix + ".tif",
+			file -> writeTiff(file, tangentAngleImage(m)));
+		pictures.draw(CURVATURE + suffix + ".tif", file -> writeTiff(file, curvatureImage(m)));
 	}
 
 	/**

@@ -61,7 +61,7 @@ public final class MeasurementFolder {
 			OriginalStatistics.write(folder.path().resolve(OriginalFiles.STATISTICS),
 				quantities(original, m.calibration()), m.calibration(), m.frequencyUnit());
 		if (plots)
-			Figures.writeAll(folder.path(), m, progress);
+			Figures.write(new Pictures(folder.path()), "", m, progress);
 		progress.checkCancelled();
 		folder.commit();
 	}

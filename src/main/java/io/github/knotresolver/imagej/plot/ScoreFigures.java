@@ -92,9 +92,10 @@ public final class ScoreFigures {
 	public static void write(final Path folder, final String prefix,
 		final List<List<FrameScore>> movies, final double[] errors, final Progress progress)
 		throws IOException {
+		final Pictures pictures = new Pictures(folder);
 		for (final Map.Entry<String, JFreeChart> chart : charts(movies, errors).entrySet()) {
 			progress.checkCancelled();
-			Figures.write(folder, prefix + chart.getKey(), chart.getValue());
+			Figures.write(pictures, prefix + chart.getKey(), chart.getValue());
 		}
 	}
 

@@ -102,7 +102,7 @@ public final class MeasurementAccuracyMain {
 		for (int t = 0; t < movie.truth().size(); t++) {
 			final Optional<Polyline> contour = result.tracks().only().frames().get(t).contour();
 			if (contour.isPresent())
-				coverage.add(result.measurements().orElseThrow().frames().get(t), contour.get(),
+				coverage.add(result.filaments().get(0).measurements().orElseThrow().frames().get(t), contour.get(),
 					movie.truth().get(t), movie.movie().calibration().pixelSize());
 		}
 		return coverage;
@@ -134,7 +134,7 @@ public final class MeasurementAccuracyMain {
 			for (int k = 0; k < filaments; k++) {
 				final MovieMeasurements m = measured(
 					pictures.movie(WAVE.trajectory(WAVE_FRAMES, FIRST_SEED + k), k).movie())
-					.measurements().orElseThrow();
+					.filaments().get(0).measurements().orElseThrow();
 				final Optional<DominantFrequency> d = m.dominantFrequency(Quantity.TIP_ANGLE);
 				d.ifPresent(f -> frequency.add(f.frequency() - WAVE.frequency(), f.standardError(),
 					WAVE.frequency()));
@@ -166,7 +166,7 @@ public final class MeasurementAccuracyMain {
 			for (final Map.Entry<Integer, Polyline> t : truth.entrySet()) {
 				final int i = t.getKey() - 1;
 				result.tracks().only().frames().get(i).contour().ifPresent(
-					c -> coverage.add(result.measurements().orElseThrow().frames().get(i), c,
+					c -> coverage.add(result.filaments().get(0).measurements().orElseThrow().frames().get(i), c,
 						t.getValue(), result.calibration().pixelSize()));
 			}
 			if (coverage.frames() == 0)

@@ -15,6 +15,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilder;
@@ -57,7 +58,7 @@ class FiguresTest {
 
 	@Test
 	void everyFigureIsWrittenForPrint() throws IOException {
-		final List<Path> files = Figures.writeAll(folder, movie(20), Progress.NONE);
+		final List<Path> files = writeAll(folder, movie(20), Progress.NONE);
 		assertEquals(16, files.size());
 		for (final Path file : files)
 			assertTrue(Files.size(file) > 1000, file.toString());
@@ -71,8 +72,8 @@ class FiguresTest {
 	void sameMeasurementsGiveTheSameBytes() throws IOException {
 		final Path a = Files.createDirectory(folder.resolve("a")),
 			b = Files.createDirectory(folder.resolve("b"));
-		Figures.writeAll(a, movie(12), Progress.NONE);
-		for (final Path file : Figures.writeAll(b, movie(12), Progress.NONE))
+		writeAll(a, movie(12), Progress.NONE);
+		for (final Path file : writeAll(b, movie(12), Progress.NONE))
 			assertArrayEquals(Files.readAllBytes(a.resolve(file.getFileName())),
 				Files.readAllBytes(file), file.getFileName().toString());
 	}
@@ -81,11 +82,11 @@ class FiguresTest {
 	void svgIsTheSameInAnyLocaleAndWellFormed() throws Exception {
 		final Path a = Files.createDirectory(folder.resolve("a")),
 			b = Files.createDirectory(folder.resolve("b"));
-		Figures.writeAll(a, movie(12), Progress.NONE);
+		writeAll(a, movie(12), Progress.NONE);
 		final Locale before = Locale.getDefault();
 		Locale.setDefault(Locale.forLanguageTag("ar-EG-u-nu-arab"));
 		try {
-			Figures.writeAll(b, movie(12), Progress.NONE);
+			writeAll(b, movie(12), Progress.NONE);
 		} finally {
 			Locale.setDefault(before);
 		}
@@ -106,7 +107,7 @@ class FiguresTest {
 
 	@Test
 	void kymographsAreSharpInSvg() throws IOException {
-		Figures.writeAll(folder, movie(12), Progress.NONE);
+		writeAll(folder, movie(12), Progress.NONE);
 		final String svg = Files.readString(folder.resolve("curvature_kymograph.svg"));
 		assertTrue(svg.contains("image-rendering=\"optimizeSpeed\""), "frames are not blurred");
 		assertTrue(svg.contains("data:image/png;base64,"), "the picture is in the file");
@@ -130,7 +131,7 @@ class FiguresTest {
 
 	@Test
 	void kymographImagesAreCalibratedAndMissingFramesAreNaN() throws IOException {
-		Figures.writeKymographs(folder, movie(10));
+		Figures.writeKymographs(new Pictures(folder), "", movie(10));
 		final ImagePlus image = IJ.openImage(folder.resolve("curvature_kymograph.tif").toString());
 		assertEquals(32, image.getBitDepth());
 		assertEquals(10, image.getHeight());
@@ -196,7 +197,15 @@ class FiguresTest {
 	void cancelStopsDrawing() {
 		final Progress cancelled = new CancelledProgress();
 		assertThrows(CancelledException.class,
-			() -> Figures.writeAll(folder, movie(10), cancelled));
+			() -> writeAll(folder, movie(10), cancelled));
+	}
+
+	private static List<Path> writeAll(final Path folder, final MovieMeasurements m,
+		final Progress progress) throws IOException {
+		Figures.write(new Pictures(folder), "", m, progress);
+		try (Stream<Path> files = Files.list(folder)) {
+			return files.sorted().toList();
+		}
 	}
 
 	/** Quarters of a circle of 40 px that swing to and fro. */

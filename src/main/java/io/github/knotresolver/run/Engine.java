@@ -1,4 +1,4 @@
-package io.github.knotresolver.imagej;
+package io.github.knotresolver.run;
 
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
@@ -7,7 +7,7 @@ import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.pipeline.FilamentResolver;
 import io.github.knotresolver.progress.Progress;
 
-/** What turns a movie into a result: the pipeline, for those who show it. */
+/** What turns a movie into a result: the pipeline, or what a test puts in its place. */
 @FunctionalInterface
 public interface Engine {
 

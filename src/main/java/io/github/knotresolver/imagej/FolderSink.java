@@ -1,0 +1,123 @@
+package io.github.knotresolver.imagej;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+
+import ij.ImagePlus;
+import io.github.knotresolver.imagej.plot.AnimatedOverlay;
+import io.github.knotresolver.imagej.plot.Figures;
+import io.github.knotresolver.imagej.plot.Pictures;
+import io.github.knotresolver.io.ContoursCsv;
+import io.github.knotresolver.io.FilamentsCsv;
+import io.github.knotresolver.io.FramesCsv;
+import io.github.knotresolver.io.MeasuredFilament;
+import io.github.knotresolver.io.MeasuredTracks;
+import io.github.knotresolver.io.OriginalFiles;
+import io.github.knotresolver.io.ParametersJson;
+import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.io.SummaryCsv;
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.Outcome;
+import io.github.knotresolver.run.ResultSink;
+
+/**
+ * All files of a result in a folder: a complete one or nothing. Tables come
+ * first; a picture that cannot be drawn is left out, with a note.
+ */
+public final class FolderSink implements ResultSink {
+
+	/** Speed of the film. */
+	private static final double FRAMES_PER_SECOND = 8;
+
+	private final ResultFolder folder;
+	private final ImageSource source;
+	private final boolean plots;
+
+	/**
+	 * @param folder the reserved folder; committed at the end
+	 * @param source where the movie came from; makes ROIs for its image
+	 * @param plots whether plots and projections are written as well; tables, ROIs,
+	 *          overlay, montage and kymographs always are
+	 */
+	public FolderSink(final ResultFolder folder, final ImageSource source, final boolean plots) {
+		this.folder = folder;
+		this.source = source;
+		this.plots = plots;
+	}
+
+	@Override
+	public void write(final Outcome outcome, final Progress progress) throws IOException {
+		final MeasuredTracks result = outcome.result();
+		progress.report("Writing tables", 0);
+		writeTables(outcome);
+		progress.checkCancelled();
+		RoiSetWriter.write(file(RoiSetWriter.FILE), source.rois().rois(result.tracks()));
+		progress.report("Drawing", 0);
+		final Pictures pictures = new Pictures(folder.path());
+		Together.run(() -> writeOverlay(result.tracks(), pictures, progress),
+			() -> writeFigures(result, pictures, progress));
+		progress.checkCancelled();
+		ParametersJson.write(file(ParametersJson.FILE), result.tracks(), outcome.input(),
+			outcome.identity(), pictures.notes());
+		folder.commit();
+	}
+
+	private Path file(final String name) {
+		return folder.path().resolve(name);
+	}
+
+	private void writeTables(final Outcome outcome) throws IOException {
+		final MeasuredTracks result = outcome.result();
+		ContoursCsv.write(file(ContoursCsv.FILE), result);
+		FramesCsv.write(file(FramesCsv.FILE), result);
+		FilamentsCsv.write(file(FilamentsCsv.FILE), result);
+		SummaryCsv.write(file(SummaryCsv.FILE), result, outcome.input());
+		for (final MeasuredFilament filament : result.filaments()) {
+			final String suffix = MeasuredFilament.suffix(filament.track().id());
+			OriginalFiles.writeContours(
+				file(OriginalFiles.CONTOURS.replace(".", suffix + ".")), filament);
+			OriginalFiles.writeStatistics(
+				file(OriginalFiles.STATISTICS.replace(".", suffix + ".")), filament, result);
+		}
+	}
+
+	private void writeOverlay(final Tracks tracks, final Pictures pictures,
+		final Progress progress) throws IOException {
+		pictures.draw("overlay.tif",
+			file -> OverlayStack.write(OverlayRenderer.stack(tracks, progress), file));
+		if (plots)
+			pictures.draw("overlay.avi", file -> {
+				final ImagePlus overlay = OverlayRenderer.stack(tracks, progress);
+				AnimatedOverlay.write(file, overlay, FRAMES_PER_SECOND);
+			});
+		progress.checkCancelled();
+		pictures.draw("montage.png", file -> PngFile.write(file, Montage.of(tracks)));
+		if (!plots)
+			return;
+		pictures.draw("overlay.png",
+			file -> PngFile.write(file, OverlayRenderer.projection(tracks)));
+		if (tracks.filaments().size() > 1)
+			for (final FilamentTrack filament : tracks.filaments()) {
+				progress.checkCancelled();
+				pictures.draw("montage-" + MeasuredFilament.number(filament.id()) + ".png",
+					file -> PngFile.write(file,
+						Montage.of(tracks, List.of(filament))));
+			}
+	}
+
+	private void writeFigures(final MeasuredTracks result, final Pictures pictures,
+		final Progress progress) throws IOException {
+		for (final MeasuredFilament filament : result.filaments()) {
+			if (filament.measurements().isEmpty())
+				continue;
+			final String suffix = MeasuredFilament.suffix(filament.track().id());
+			if (plots)
+				Figures.write(pictures, suffix, filament.measurements().get(), progress);
+			else
+				Figures.writeKymographs(pictures, suffix, filament.measurements().get());
+		}
+	}
+}

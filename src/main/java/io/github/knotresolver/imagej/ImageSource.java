@@ -1,0 +1,65 @@
+package io.github.knotresolver.imagej;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Function;
+
+import ij.ImagePlus;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.options.InputOptions;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.MovieSource;
+
+/** A movie in an image of ImageJ, which may be closed once it has been read. */
+public final class ImageSource implements MovieSource {
+
+	private final Function<Progress, ImagePlus> opener;
+	private final Optional<Path> file;
+	private RoiConverter rois;
+
+	private ImageSource(final Function<Progress, ImagePlus> opener,
+		final Optional<Path> file) {
+		this.opener = opener;
+		this.file = file;
+	}
+
+	/**
+	 * @param file an image file
+	 * @return the movie in it, opened when it is read
+	 */
+	public static ImageSource of(final Path file) {
+		return new ImageSource(progress -> ImageFile.open(file, progress),
+			Optional.of(file.toAbsolutePath().normalize()));
+	}
+
+	/**
+	 * @param image an image; its file is known if it was not changed since it was opened
+	 * @return the movie in it
+	 */
+	public static ImageSource of(final ImagePlus image) {
+		return new ImageSource(progress -> image, ImageFile.of(image));
+	}
+
+	@Override
+	public Movie read(final InputOptions options, final Progress progress) {
+		final ImagePlus image = opener.apply(progress);
+		final Movie movie = ImageMovie.of(image, options);
+		rois = RoiConverter.forImage(image, options.channel());
+		return movie;
+	}
+
+	@Override
+	public Optional<Path> file() {
+		return file;
+	}
+
+	/**
+	 * @return makes ROIs for the image
+	 * @throws IllegalStateException if it has not been read
+	 */
+	public RoiConverter rois() {
+		if (rois == null)
+			throw new IllegalStateException("The image has not been read.");
+		return rois;
+	}
+}

@@ -1,0 +1,42 @@
+package io.github.knotresolver.io;
+
+import java.util.List;
+import java.util.OptionalInt;
+
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Observation;
+
+/**
+ * One filament in a row.
+ *
+ * @param firstFrame 1-based first frame in which it is in view; empty if it never is
+ * @param lastFrame the last one
+ * @param length its length in calibrated units: the one that was used or, without
+ *          such, the median over the frames; NaN if it has no contour
+ * @param lengthError the length's standard error in calibrated units; NaN if it is not
+ *          known
+ * @param confidence mean over the frames that have a contour; NaN without
+ */
+public record FilamentSummary(OptionalInt firstFrame, OptionalInt lastFrame, double length,
+	double lengthError, double confidence) {
+
+	/**
+	 * @param filament a measured filament
+	 * @param pixelSize edge of a pixel in calibrated units
+	 * @return its summary
+	 */
+	public static FilamentSummary of(final MeasuredFilament filament, final double pixelSize) {
+		final List<Observation> frames = filament.track().frames();
+		final double used = filament.track().length() * pixelSize;
+		return new FilamentSummary(
+			frames.stream().filter(f -> f.status() != FrameStatus.ABSENT)
+				.mapToInt(Observation::frame).min(),
+			frames.stream().filter(f -> f.status() != FrameStatus.ABSENT)
+				.mapToInt(Observation::frame).max(),
+			Double.isNaN(used) ? LengthStatistics.of(filament.frames()).median() : used,
+			filament.track().lengthError() * pixelSize,
+			frames.stream().filter(f -> f.contour().isPresent())
+				.mapToDouble(Observation::confidence).filter(Double::isFinite).average()
+				.orElse(Double.NaN));
+	}
+}

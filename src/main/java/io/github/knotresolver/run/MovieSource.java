@@ -1,0 +1,26 @@
+package io.github.knotresolver.run;
+
+import java.nio.file.Path;
+import java.util.Optional;
+
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.InputOptions;
+import io.github.knotresolver.progress.Progress;
+
+/** Where a movie comes from. */
+public interface MovieSource {
+
+	/**
+	 * Reads the movie. Called once.
+	 *
+	 * @param options how it is taken from its image
+	 * @param progress may cancel
+	 * @return the movie
+	 * @throws UserException if it cannot be read or used, in one sentence
+	 */
+	Movie read(InputOptions options, Progress progress);
+
+	/** @return the movie's file; empty if it has none */
+	Optional<Path> file();
+}
