@@ -6,7 +6,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.security.DigestInputStream;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
@@ -153,35 +152,33 @@ public record RunIdentity(Path movie, String sha256, String version, Map<String,
 		}
 	}
 
-	private static String sha256(final Path file, final Progress progress) throws IOException {
+	/** Of a folder of images, that of the names and contents of all files in it. */
+	private static String sha256(final Path path, final Progress progress) throws IOException {
 		try {
 			final MessageDigest digest = MessageDigest.getInstance("SHA-256");
-			for (final Path part : parts(file)) {
-				if (!part.equals(file))
-					digest.update(part.getFileName().toString().getBytes(StandardCharsets.UTF_8));
-				read(part, digest, progress);
-			}
+			if (Files.isDirectory(path))
+				for (final String name : FileTrees.names(path)) {
+					if (!Files.isRegularFile(path.resolve(name)))
+						continue;
+					digest.update(name.getBytes(StandardCharsets.UTF_8));
+					update(digest, path.resolve(name), progress);
+				}
+			else
+				update(digest, path, progress);
 			return HexFormat.of().formatHex(digest.digest());
 		} catch (final NoSuchAlgorithmException e) {
 			throw new IllegalStateException(e);
 		}
 	}
 
-	/** The file; of a folder with one image a frame, its files in the order of their names. */
-	private static List<Path> parts(final Path file) throws IOException {
-		if (!Files.isDirectory(file))
-			return List.of(file);
-		try (Stream<Path> files = Files.list(file)) {
-			return files.filter(Files::isRegularFile).sorted().toList();
-		}
-	}
-
-	private static void read(final Path file, final MessageDigest digest, final Progress progress)
-		throws IOException {
-		try (InputStream in = new DigestInputStream(Files.newInputStream(file), digest)) {
+	private static void update(final MessageDigest digest, final Path file,
+		final Progress progress) throws IOException {
+		try (InputStream in = Files.newInputStream(file)) {
 			final byte[] buffer = new byte[BUFFER];
-			while (in.read(buffer) >= 0)
+			for (int n = in.read(buffer); n >= 0; n = in.read(buffer)) {
+				digest.update(buffer, 0, n);
 				progress.checkCancelled();
+			}
 		}
 	}
 }
