@@ -50,8 +50,13 @@ public final class ImageCalibration {
 		if (info == null || c.scaled() || !OmeXml.isOme(info.description))
 			return c;
 		final ij.measure.Calibration copy = c.copy();
-		OmeXml.parse(image.getTitle(), info.description).calibrate(copy);
-		return copy;
+		try {
+			OmeXml.parse(image.getTitle(), info.description).calibrate(copy);
+			return copy;
+		} catch (final UserException e) {
+			// One of several images: which one was opened is not told.
+			return c;
+		}
 	}
 
 	private static boolean isPositive(final double value) {

@@ -49,7 +49,7 @@ final class MovieChecks {
 		final InputOptions options) {
 		if (!options.zAsTime())
 			throw new UserException(name + " has " + image.getNChannels()
-				+ " channels and one frame, but a movie has several frames; if the channels are frames, add --z-as-time (in ImageJ: z_as_time, or swap channels and frames in Image > Properties).");
+				+ " channels and one frame, but a movie has several frames; if the channels are frames, add z_as_time, or swap channels and frames in ImageJ's Image > Properties.");
 		if (options.channel() != 1)
 			throw new UserException("channel must be 1 if the channels of " + name
 				+ " are read as frames, but is " + options.channel() + ".");

@@ -70,6 +70,18 @@ public final class TestImages {
 		return new Tracks(movie, parameters, List.of(new FilamentTrack(1, Anchor.CLAMPED, Optional.of(new Point(12, 30)), 80, 0.1, IntStream.range(0, movie.size()).mapToObj(i -> frame(i, movie.size())).toList())), List.of("A note."));
 	}
 
+	/** Contours that are known, one a frame. */
+	public static Tracks tracks(final Movie movie, final Settings settings,
+		final List<Polyline> contours) {
+		final List<Observation> frames = IntStream.range(0, contours.size())
+			.mapToObj(i -> new Observation(i + 1, FrameStatus.RESOLVED, "",
+				Optional.of(contours.get(i)), 1, 1, 0.5, 0.99))
+			.toList();
+		return new Tracks(movie, settings, List.of(new FilamentTrack(1, Anchor.CLAMPED,
+			Optional.of(contours.get(0).first()), contours.get(0).length(), 0, frames)),
+			List.of());
+	}
+
 	private static Observation frame(final int i, final int frames) {
 		return i == 1
 			? Observation.without(2, FrameStatus.LOST, "The filament, it seems, is \"gone\".")

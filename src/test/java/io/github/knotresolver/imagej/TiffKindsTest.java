@@ -253,7 +253,7 @@ class TiffKindsTest {
 		final String message = assertThrows(UserException.class,
 			() -> ImageMovie.of(ImageFile.open(file), RunOptions.parse(Map.of()).input()))
 			.getMessage();
-		assertTrue(message.contains("3 channels and one frame") && message.contains("--z-as-time"),
+		assertTrue(message.contains("3 channels and one frame") && message.contains("add z_as_time"),
 			message);
 		assertRead(file, 0);
 	}
