@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -17,8 +18,10 @@ import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.options.RunOptions;
@@ -56,6 +59,7 @@ public final class ParametersJson {
 		json.put("movie", movie(tracks.movie(), identity));
 		json.put("options", RunOptions.values(tracks.settings(), input, tracks.movie().calibration()));
 		json.put("corrections", corrections(tracks.settings().corrections()));
+		json.put("constraints", constraints(tracks.settings()));
 		identity.ifPresent(i -> {
 			json.put(RunIdentity.GIVEN, i.given());
 			json.put(RunIdentity.CORRECTIONS, i.corrections());
@@ -124,6 +128,22 @@ public final class ParametersJson {
 		final Map<String, List<String>> json = new LinkedHashMap<>();
 		new TreeMap<>(contours).forEach((frame, contour) -> json.put(frame.toString(), IntStream
 			.range(0, contour.size()).mapToObj(i -> contour.point(i).toString()).toList()));
+		return json;
+	}
+
+	/** What the user said other than whole contours of the first filament. */
+	private static List<Map<String, Object>> constraints(final Settings settings) {
+		final List<Map<String, Object>> json = new ArrayList<>();
+		for (final Constraint c : settings.constraints())
+			if (c.kind() != Constraint.Kind.CONTOUR || c.filament() != 1) {
+				final Map<String, Object> one = new LinkedHashMap<>();
+				one.put("filament", c.filament());
+				one.put("frame", c.frame());
+				one.put("kind", c.kind().label());
+				one.put("points", IntStream.range(0, c.shape().size())
+					.mapToObj(i -> c.shape().point(i).toString()).toList());
+				json.add(one);
+			}
 		return json;
 	}
 

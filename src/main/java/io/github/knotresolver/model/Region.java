@@ -1,7 +1,6 @@
 package io.github.knotresolver.model;
 
 import java.util.Optional;
-import java.util.TreeMap;
 
 import net.imglib2.RandomAccessibleInterval;
 import net.imglib2.view.Views;
@@ -73,10 +72,10 @@ public record Region(int x, int y, int width, int height) {
 	 *           sentence
 	 */
 	public Settings of(final Settings p) {
-		final var corrections = new TreeMap<Integer, Polyline>();
-		p.corrections().forEach((frame, c) -> corrections.put(frame, moved(c, -x, -y)));
 		return p.edit().region(Optional.empty()).fixedEnd(p.fixedEnd().map(this::inside))
-			.corrections(corrections).build();
+			.constraints(p.constraints().stream()
+				.map(c -> c.with(shape -> moved(shape, -x, -y))).toList())
+			.build();
 	}
 
 	private Point inside(final Point end) {

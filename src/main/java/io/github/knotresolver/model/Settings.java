@@ -1,12 +1,16 @@
 package io.github.knotresolver.model;
 
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.SortedMap;
 import java.util.SortedSet;
+import java.util.TreeMap;
 import java.util.TreeSet;
 
 import io.github.knotresolver.geometry.Point;
@@ -29,17 +33,16 @@ import io.github.knotresolver.geometry.Polyline;
  * @param refine whether the filament is fitted to the image, sub-pixel
  * @param frames 1-based frames to resolve; empty for all
  * @param ignoreFrames 1-based frames to leave out
- * @param corrections contours the user gave, by 1-based frame, fixed end first,
- *          in pixels
+ * @param constraints what the user said about frames, in the order of frames
  * @param filaments how many filaments are delivered; empty for all, or for the one of which
- *          a fixed end, a region or a contour is told
+ *          a fixed end or a region is told
  * @param anchor whether filaments are held at one end
  * @param threads number of threads, at least 1
  */
 public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleaning cleaning,
 	Segmentation segmentation, CandidateMethod candidates, ResolverMethod resolver,
 	OptionalDouble length, LengthModel lengthModel, boolean refine, SortedSet<Integer> frames,
-	SortedSet<Integer> ignoreFrames, Map<Integer, Polyline> corrections,
+	SortedSet<Integer> ignoreFrames, List<Constraint> constraints,
 	Optional<FilamentChoice> filaments, AnchorChoice anchor, int threads) {
 
 	/** No fixed end told, automatic threshold, our candidates and resolver. */
@@ -69,7 +72,7 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 				"threads must be at least 1, but is " + threads + ".");
 		frames = Collections.unmodifiableSortedSet(new TreeSet<>(frames));
 		ignoreFrames = Collections.unmodifiableSortedSet(new TreeSet<>(ignoreFrames));
-		corrections = Map.copyOf(corrections);
+		constraints = Constraint.sorted(constraints);
 	}
 
 	/**
@@ -86,13 +89,20 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 	}
 
 	/**
-	 * @return whether every filament of the field is followed: what works on skeletons, or
-	 *         with contours that the user gave, knows one
+	 * @return whether every filament of the field is followed: what works on skeletons knows
+	 *         one
 	 */
 	public boolean deliversAll() {
 		return filaments.orElse(FilamentChoice.ONE) == FilamentChoice.ALL && refine
-			&& resolver == ResolverMethod.MOVIE && candidates == CandidateMethod.TRAILS
-			&& corrections.isEmpty();
+			&& resolver == ResolverMethod.MOVIE && candidates == CandidateMethod.TRAILS;
+	}
+
+	/** @return the whole contours that the user gave for filament 1, by 1-based frame, in pixels */
+	public SortedMap<Integer, Polyline> corrections() {
+		final SortedMap<Integer, Polyline> contours = new TreeMap<>();
+		constraints.stream().filter(c -> c.kind() == Constraint.Kind.CONTOUR && c.filament() == 1)
+			.forEach(c -> contours.put(c.frame(), c.shape()));
+		return contours;
 	}
 
 	/** @return these settings, to be changed one by one; this object stays as it is */
@@ -100,7 +110,7 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 		return new Builder().fixedEnd(fixedEnd).region(region).cleaning(cleaning)
 			.segmentation(segmentation).candidates(candidates).resolver(resolver).length(length)
 			.lengthModel(lengthModel).refine(refine).frames(frames).ignoreFrames(ignoreFrames)
-			.corrections(corrections).filaments(filaments).anchor(anchor).threads(threads);
+			.constraints(constraints).filaments(filaments).anchor(anchor).threads(threads);
 	}
 
 	/** Settings in the making, each with its default; what is not allowed is told at the end. */
@@ -117,7 +127,7 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 		private boolean refine = true;
 		private Collection<Integer> frames = new TreeSet<>();
 		private Collection<Integer> ignoreFrames = new TreeSet<>();
-		private Map<Integer, Polyline> corrections = Map.of();
+		private Collection<Constraint> constraints = List.of();
 		private Optional<FilamentChoice> filaments = Optional.empty();
 		private AnchorChoice anchor = AnchorChoice.AUTO;
 		private int threads = Runtime.getRuntime().availableProcessors();
@@ -129,7 +139,7 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 		public Settings build() {
 			return new Settings(fixedEnd, region, cleaning, segmentation, candidates, resolver,
 				length, lengthModel, refine, new TreeSet<>(frames), new TreeSet<>(ignoreFrames),
-				corrections, filaments, anchor, threads);
+				Constraint.sorted(constraints), filaments, anchor, threads);
 		}
 
 		/**
@@ -232,17 +242,28 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 		}
 
 		/**
-		 * @param value contours the user gave, by 1-based frame, fixed end first, in pixels
+		 * @param value what the user said about frames
 		 * @return this
 		 */
-		public Builder corrections(final Map<Integer, Polyline> value) {
-			corrections = value;
+		public Builder constraints(final Collection<Constraint> value) {
+			constraints = value;
 			return this;
 		}
 
 		/**
+		 * @param value whole contours of filament 1 by 1-based frame, fixed end first, in
+		 *          pixels; nothing else is said then
+		 * @return this
+		 */
+		public Builder corrections(final Map<Integer, Polyline> value) {
+			final List<Constraint> contours = new ArrayList<>();
+			value.forEach((frame, contour) -> contours.add(Constraint.contour(frame, contour)));
+			return constraints(contours);
+		}
+
+		/**
 		 * @param value how many filaments are delivered; empty for all, or for the one of
-		 *          which a fixed end, a region or a contour is told
+		 *          which a fixed end or a region is told
 		 * @return this
 		 */
 		public Builder filaments(final Optional<FilamentChoice> value) {

@@ -2,6 +2,7 @@ package io.github.knotresolver.options;
 
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
@@ -9,8 +10,8 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
 
-import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.UserException;
@@ -98,17 +99,17 @@ public final class RunOptions {
 	 * checked only against the movie.
 	 *
 	 * @param movie the movie
-	 * @param given contours the user gave, by 1-based frame, fixed end first, in pixels:
-	 *          what {@link #corrections()} holds
+	 * @param given what the user said about frames, in pixels: what {@link #corrections()}
+	 *          holds
 	 * @return the settings
 	 * @throws UserException if they name a place, a frame or a
 	 *           length that the movie does not have, or leave no frame
 	 */
-	public Settings settings(final Movie movie, final Map<Integer, Polyline> given) {
+	public Settings settings(final Movie movie, final List<Constraint> given) {
 		final OptionalDouble pixels = length.isPresent()
 			? OptionalDouble.of(length.getAsDouble() / movie.calibration().pixelSize())
 			: OptionalDouble.empty();
-		final Settings fitting = settings.edit().length(pixels).corrections(given).build();
+		final Settings fitting = settings.edit().length(pixels).constraints(given).build();
 		new FrameChoice(movie, fitting).frames();
 		fitting.region().ifPresent(r -> r.inside(movie).of(fitting));
 		return fitting;
@@ -127,7 +128,7 @@ public final class RunOptions {
 		if (corrections.isPresent())
 			throw new IllegalStateException(
 				"The corrections in " + corrections.get() + " have not been read.");
-		return settings(movie, Map.of());
+		return settings(movie, List.of());
 	}
 
 	/** @return whether the same was chosen, however it was written */

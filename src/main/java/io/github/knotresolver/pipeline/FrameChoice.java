@@ -7,6 +7,7 @@ import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.UserException;
@@ -25,9 +26,10 @@ public record FrameChoice(Movie movie, Settings parameters) {
 	public List<Integer> frames() {
 		requireInside("frames", parameters.frames());
 		requireInside("ignore_frames", parameters.ignoreFrames());
-		requireInside("corrections", parameters.corrections().keySet());
+		requireInside("corrections",
+			parameters.constraints().stream().map(Constraint::frame).toList());
 		parameters.fixedEnd().ifPresent(end -> requireInside("fixed_end", end));
-		parameters.corrections().forEach(this::requireUsable);
+		parameters.constraints().forEach(this::requireUsable);
 		parameters.length().ifPresent(this::requirePossible);
 		final List<Integer> wanted = IntStream.rangeClosed(1, movie.size()).boxed()
 			.filter(f -> parameters.frames().isEmpty() || parameters.frames().contains(f))
@@ -52,13 +54,22 @@ public record FrameChoice(Movie movie, Settings parameters) {
 				+ movie.width() + " x " + movie.height() + " pixels, but is " + place + ".");
 	}
 
-	private void requireUsable(final int frame, final Polyline contour) {
-		final String name = "The correction of frame " + frame;
-		if (contour.size() < 2 || !(contour.length() > 1))
-			throw new UserException(name
-				+ " needs at least two points, more than a pixel apart, from the fixed end to the tip.");
-		requireInside(name + ": its first point", contour.first());
-		requireInside(name + ": its last point", contour.last());
+	/** Of a contour both ends must be in the picture, of places all; a refused contour may be anywhere. */
+	private void requireUsable(final Constraint constraint) {
+		final String name = "The correction of frame " + constraint.frame();
+		final Polyline shape = constraint.shape();
+		switch (constraint.kind()) {
+			case CONTOUR -> {
+				requireInside(name + ": its first point", shape.first());
+				requireInside(name + ": its last point", shape.last());
+			}
+			case THROUGH, TIP -> {
+				for (int i = 0; i < shape.size(); i++)
+					requireInside(name + ": its place", shape.point(i));
+			}
+			default -> {
+			}
+		}
 	}
 
 	private void requirePossible(final double length) {

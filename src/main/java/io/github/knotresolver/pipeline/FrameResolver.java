@@ -19,17 +19,21 @@ import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.mask.Masks;
 import io.github.knotresolver.mask.ObjectFollower;
 import io.github.knotresolver.model.CandidateMethod;
+import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.ResolverMethod;
 import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.paper.PaperCandidates;
 import io.github.knotresolver.paper.PaperResolver;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.skeleton.Skeletonize;
 import io.github.knotresolver.track.FitResolver;
+import io.github.knotresolver.track.FitResolver.Refined;
 import io.github.knotresolver.track.FitResolver.Resolved;
+import io.github.knotresolver.track.FitSolver;
 import io.github.knotresolver.track.FrameGraph;
 import io.github.knotresolver.track.FrameView;
 import io.github.knotresolver.track.Resolver;
@@ -48,15 +52,23 @@ final class FrameResolver {
 
 	private final Settings parameters;
 	private final Set<LineModel.Kind> kinds;
-	private final Workers workers;
-	private final Progress progress;
+	private final List<FrameView> frames;
+	private final Point fixedEnd;
+	/** Our method, once it has looked at the movie. */
+	private Optional<Optional<FitSolver>> solver = Optional.empty();
 
+	/**
+	 * @param parameters what is asked for
+	 * @param kinds how strands may add up
+	 * @param frames the frames to resolve, in order, at least one
+	 * @param fixedEnd the fixed end in pixels
+	 */
 	FrameResolver(final Settings parameters, final Set<LineModel.Kind> kinds,
-		final Workers workers, final Progress progress) {
+		final List<FrameView> frames, final Point fixedEnd) {
 		this.parameters = parameters;
 		this.kinds = kinds;
-		this.workers = workers;
-		this.progress = progress;
+		this.frames = frames;
+		this.fixedEnd = fixedEnd;
 	}
 
 	/** What was found: length in pixels and its standard error, NaN if not known. */
@@ -64,32 +76,58 @@ final class FrameResolver {
 		List<String> notes) {
 	}
 
-	/** Resolves the frames; empty if there is no filament in any. */
-	Optional<Found> resolve(final List<FrameView> frames, final Point fixedEnd) {
+	/**
+	 * Resolves the frames. What a movie tells by itself is worked out once.
+	 *
+	 * @param said what the user said of the filament
+	 * @return empty if there is no filament in any frame
+	 */
+	Optional<Found> resolve(final List<Constraint> said, final Workers workers,
+		final Progress progress) {
 		if (parameters.refine() && parameters.resolver() == ResolverMethod.MOVIE)
-			return fitted(generator(), frames, fixedEnd, parameters.corrections())
-				.map(FrameResolver::found);
-		final Found track = found(fixedEnd, onSkeletons(frames, fixedEnd));
-		return Optional.of(parameters.refine() ? refined(frames, track) : track);
+			return solver(workers, progress).map(s -> found(s.solve(said, workers, progress)));
+		final Found track = found(fixedEnd, onSkeletons(contours(said), workers, progress));
+		return Optional.of(parameters.refine() ? refined(track, workers, progress) : track);
 	}
 
-	private Optional<Resolved> fitted(final CandidateGenerator proposer,
-		final List<FrameView> frames, final Point fixedEnd, final Map<Integer, Polyline> given) {
-		return new FitResolver(proposer, kinds, parameters.lengthModel(),
-			workers, progress).resolve(frames, fixedEnd, parameters.length(), given);
+	private Optional<FitSolver> solver(final Workers workers, final Progress progress) {
+		if (solver.isEmpty())
+			solver = Optional.of(fits(generator(), workers, progress).learn(frames, fixedEnd,
+				parameters.length()));
+		return solver.get();
 	}
 
-	private Track onSkeletons(final List<FrameView> frames, final Point fixedEnd) {
+	private FitResolver fits(final CandidateGenerator proposer, final Workers workers,
+		final Progress progress) {
+		return new FitResolver(proposer, kinds, parameters.lengthModel(), workers, progress);
+	}
+
+	/** What works on skeletons knows whole contours only. */
+	private static Map<Integer, Polyline> contours(final List<Constraint> said) {
+		final Map<Integer, Polyline> contours = new HashMap<>();
+		for (final Constraint c : said) {
+			if (c.kind() != Constraint.Kind.CONTOUR)
+				throw new UserException("The correction of frame " + c.frame() + " is of the kind "
+					+ c.kind().label()
+					+ ", but skeletons alone take whole contours only; draw the whole contour, or resolve with resolver=movie and refine.");
+			contours.put(c.frame(), c.shape());
+		}
+		return contours;
+	}
+
+	private Track onSkeletons(final Map<Integer, Polyline> corrections, final Workers workers,
+		final Progress progress) {
 		progress.report("Resolving", 0);
 		final Resolver resolver = parameters.resolver() == ResolverMethod.PAPER
 			? new PaperResolver(generator())
 			: new TrellisResolver(generator(), TrellisResolver.DEFAULT_MOTION, workers);
-		return resolver.resolve(new ResolverQuery(followed(frames, fixedEnd), fixedEnd,
-			parameters.length(), parameters.corrections()), progress);
+		return resolver.resolve(
+			new ResolverQuery(followed(workers), fixedEnd, parameters.length(), corrections),
+			progress);
 	}
 
 	/** The graph of the filament alone, which is followed from frame to frame. */
-	private List<FrameGraph> followed(final List<FrameView> frames, final Point fixedEnd) {
+	private List<FrameGraph> followed(final Workers workers) {
 		final List<Img<BitType>> masks = frames.stream().map(FrameView::mask).toList();
 		final List<Optional<Img<BitType>>> found = parameters.isPublished()
 			? ObjectFollower.follow(masks, fixedEnd)
@@ -105,8 +143,11 @@ final class FrameResolver {
 			.orElseGet(() -> Skeletonize.thin(object));
 	}
 
-	/** The same contours, fitted to the picture; frames without one stay without. */
-	private Found refined(final List<FrameView> frames, final Found track) {
+	/**
+	 * The same contours, fitted to the picture; as they were where the user gave them or no
+	 * fit is good; frames without one stay without.
+	 */
+	private Found refined(final Found track, final Workers workers, final Progress progress) {
 		final Map<Integer, Polyline> contours = new HashMap<>();
 		track.frames.forEach(f -> f.contour().filter(c -> c.length() > 1)
 			.ifPresent(c -> contours.put(f.frame(), c)));
@@ -114,25 +155,20 @@ final class FrameResolver {
 			.toList();
 		return seen.isEmpty()
 			? track
-			: fitted(TrailCandidates.DEFAULT, seen, track.fixedEnd, contours)
-				.map(r -> merged(track, r)).orElse(track);
+			: fits(TrailCandidates.DEFAULT, workers, progress)
+				.refine(seen, contours, fixedEnd, parameters.length()).map(r -> merged(track, r))
+				.orElse(track);
 	}
 
-	private static Found merged(final Found track, final Resolved fits) {
-		final Map<Integer, Observation> byFrame = new HashMap<>();
-		fits.frames().forEach(f -> byFrame.put(f.frame(), f));
+	private static Found merged(final Found track, final Refined fits) {
 		final List<Observation> frames = new ArrayList<>();
 		for (final Observation f : track.frames)
-			frames.add(refined(f, byFrame.get(f.frame())));
+			frames.add(
+				f.status() == FrameStatus.CORRECTED || !fits.contours().containsKey(f.frame())
+					? f
+					: f.withContour(fits.contours().get(f.frame())));
 		return new Found(fits.estimate().fixedEnd(), fits.estimate().length(),
 			fits.estimate().lengthError(), frames, track.notes);
-	}
-
-	/** A frame's contour as fitted; as it was where the user gave it or no fit is good. */
-	private static Observation refined(final Observation frame, final Observation fit) {
-		return fit == null || fit.contour().isEmpty() || frame.status() == FrameStatus.CORRECTED
-			? frame
-			: frame.withContour(fit.contour().get());
 	}
 
 	private static Found found(final Resolved r) {

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Set;
-import java.util.stream.IntStream;
 
 import net.imglib2.RandomAccessibleInterval;
 import net.imglib2.converter.Converters;
@@ -12,7 +11,6 @@ import net.imglib2.type.numeric.RealType;
 import net.imglib2.type.numeric.real.DoubleType;
 
 import io.github.knotresolver.fit.LineModel;
-import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Polarity;
@@ -45,7 +43,7 @@ record PreparedMovie(List<FrameView> frames, WorkingPixels pixels, List<Observat
 		final Polarity polarity = parameters.segmentation().polarity();
 		if (parameters.segmentation().steps() == Segmentation.Steps.EVIDENCE)
 			return new EvidencePreparer(movie, polarity, workers, progress).prepare(frames,
-				told(parameters));
+				parameters.fixedEnd().stream().toList());
 		final Movie bright = bright(movie, parameters, frames, workers, progress);
 		return new PreparedMovie(
 			new FramePreparer(bright, parameters).prepare(frames, workers, progress),
@@ -58,13 +56,6 @@ record PreparedMovie(List<FrameView> frames, WorkingPixels pixels, List<Observat
 		final List<Observation> all = new ArrayList<>(lost);
 		all.addAll(resolved);
 		return all;
-	}
-
-	/** Places that the user told, in the movie's pixels. */
-	private static List<Point> told(final Settings p) {
-		final List<Point> told = new ArrayList<>(p.fixedEnd().stream().toList());
-		p.corrections().values().forEach(c -> IntStream.range(0, c.size()).mapToObj(c::point).forEach(told::add));
-		return told;
 	}
 
 	/** The movie with bright lines; the published method does not look whether they are dark. */

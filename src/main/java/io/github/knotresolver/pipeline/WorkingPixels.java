@@ -1,12 +1,13 @@
 package io.github.knotresolver.pipeline;
 
+import java.util.List;
 import java.util.OptionalDouble;
-import java.util.TreeMap;
 import java.util.function.UnaryOperator;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Alternative;
+import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
@@ -28,13 +29,16 @@ record WorkingPixels(int binning, int x, int y) {
 	Settings of(final Settings p) {
 		if (equals(SAME))
 			return p;
-		final var corrections = new TreeMap<Integer, Polyline>();
-		p.corrections().forEach((frame, c) -> corrections.put(frame, moved(c, this::in)));
 		final OptionalDouble length = p.length().isPresent()
 			? OptionalDouble.of(p.length().getAsDouble() / binning)
 			: OptionalDouble.empty();
 		return p.edit().fixedEnd(p.fixedEnd().map(this::in)).length(length)
-			.corrections(corrections).build();
+			.constraints(in(p.constraints())).build();
+	}
+
+	/** @return what was said in the movie's pixels, in these */
+	List<Constraint> in(final List<Constraint> said) {
+		return said.stream().map(c -> c.with(shape -> moved(shape, this::in))).toList();
 	}
 
 	/** @return a place in the movie's pixels, in these */

@@ -22,13 +22,18 @@ final class FitPool {
 	 */
 	Fit add(final Fit fit) {
 		for (int i = 0; i < fits.size(); i++)
-			if (fits.get(i).chain().distance(fit.chain()) < SAME) {
+			if (isSame(fits.get(i), fit)) {
 				if (fit.energy() < fits.get(i).energy())
 					fits.set(i, fit);
 				return fits.get(i);
 			}
 		fits.add(fit);
 		return fit;
+	}
+
+	/** @return whether two fits of a frame are one */
+	static boolean isSame(final Fit one, final Fit other) {
+		return one.chain().distance(other.chain()) < SAME;
 	}
 
 	List<Fit> fits() {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 
 import io.github.knotresolver.candidate.Candidate;
 import io.github.knotresolver.candidate.CandidateSet;
@@ -46,6 +47,17 @@ record FitProposals(FilamentEstimate estimate, int links, boolean freeLength) {
 		rough.stream().sorted(Comparator.comparingDouble(Fit::energy)).limit(FITTED)
 			.forEach(r -> pool
 				.add(fitter.fit(stiff.fit(r.chain(), Optional.empty()).chain(), Optional.empty())));
+		return pool.fits();
+	}
+
+	/** All candidates that are as asked for, fitted. */
+	List<Fit> of(final CandidateSet set, final FilamentFitter fitter, final FilamentFitter stiff,
+		final Predicate<Polyline> wanted) {
+		final FitPool pool = new FitPool();
+		set.candidates().stream().map(ContourBuilder::smooth).filter(wanted).limit(DRAWN)
+			.map(c -> start(c, estimate.fixedEnd()))
+			.forEach(start -> pool.add(
+				fitter.fit(stiff.fit(start, Optional.empty()).chain(), Optional.empty())));
 		return pool.fits();
 	}
 

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
@@ -22,6 +23,7 @@ import io.github.knotresolver.fit.FilamentEstimator;
 import io.github.knotresolver.fit.FilamentEstimator.Sighting;
 import io.github.knotresolver.fit.FilamentFitter;
 import io.github.knotresolver.fit.Fit;
+import io.github.knotresolver.fit.FitQuality;
 import io.github.knotresolver.fit.FitSettings;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.NormalizedFrame;
@@ -45,9 +47,6 @@ public final class FitResolver {
 
 	/** Noise from which on frames are blurred, in strands' brightnesses, and by how much (pixels). */
 	private static final double NOISY = 0.3, BLUR = 1;
-
-	/** Number of hypotheses that are carried along. */
-	private static final int WIDTH = 3;
 
 	private final CandidateGenerator generator;
 	private final Set<LineModel.Kind> kinds;
@@ -83,16 +82,64 @@ public final class FitResolver {
 	}
 
 	/**
-	 * Resolves a movie.
+	 * Finds out all that a movie tells by itself.
 	 *
 	 * @param frames the frames to resolve, in order of time, at least one
 	 * @param fixedEnd the fixed end in pixels, to within a few
 	 * @param length the filament's length in pixels; empty to estimate it
-	 * @param corrections contours the user gave, by 1-based frame
-	 * @return one contour a frame; empty if there is no filament in any
+	 * @return what answers for the movie; empty if there is no filament in any frame
 	 */
-	public Optional<Resolved> resolve(final List<FrameView> frames, final Point fixedEnd,
-		final OptionalDouble length, final Map<Integer, Polyline> corrections) {
+	public Optional<FitSolver> learn(final List<FrameView> frames, final Point fixedEnd,
+		final OptionalDouble length) {
+		return look(frames, fixedEnd, length)
+			.map(seen -> new FitSolver(pools(seen.frames, seen.course)));
+	}
+
+	/**
+	 * What fitting made of contours.
+	 *
+	 * @param estimate line, length and fixed end
+	 * @param contours the contours by 1-based frame, in pixels, where the picture confirms
+	 *          them
+	 */
+	public record Refined(FilamentEstimate estimate, Map<Integer, Polyline> contours) {
+	}
+
+	/**
+	 * Fits contours that are known to be right, but to a pixel, to the pictures.
+	 *
+	 * @param frames the frames that have one, in order of time, at least one
+	 * @param contours the contours by 1-based frame, fixed end first, in pixels
+	 * @param fixedEnd the fixed end in pixels, to within a few
+	 * @param length the filament's length in pixels; empty to estimate it
+	 * @return the same contours, sub-pixel; empty if the frames show no filament
+	 */
+	public Optional<Refined> refine(final List<FrameView> frames,
+		final Map<Integer, Polyline> contours, final Point fixedEnd, final OptionalDouble length) {
+		return look(frames, fixedEnd, length).map(seen -> refined(seen, contours));
+	}
+
+	private Refined refined(final Seen seen, final Map<Integer, Polyline> contours) {
+		final List<NormalizedFrame> light = light(seen.frames, seen.course.estimate());
+		final int links = FilamentEstimator.links(seen.course.estimate().length());
+		final List<Fit> fits = workers.map("Fitting the contours", progress, seen.frames.size(),
+			t -> new FitProposals(seen.course.in(t), links, settings().freeLength()).of(
+				contours.get(seen.frames.get(t).frame()), fitter(t, light, seen.course, settings()))
+				.get(0));
+		final Map<Integer, Polyline> fitted = new TreeMap<>();
+		for (int t = 0; t < fits.size(); t++)
+			if (FitTrellis.isTrusted(FitQuality.of(light.get(t), seen.course.estimate().model(),
+				fits.get(t).chain())))
+				fitted.put(seen.frames.get(t).frame(), fits.get(t).chain().contour());
+		return new Refined(seen.course.estimate(), fitted);
+	}
+
+	/** The frames without bleaching and noise, and what they tell of the filament. */
+	private record Seen(List<FrameView> frames, FilamentCourse course) {
+	}
+
+	private Optional<Seen> look(final List<FrameView> frames, final Point fixedEnd,
+		final OptionalDouble length) {
 		final AnchorPath ends = AnchorPath.follow(frames, fixedEnd, progress);
 		final List<CandidateSet> first = candidates(frames, ends::at,
 			t -> OptionalDouble.empty());
@@ -101,8 +148,8 @@ public final class FitResolver {
 		final List<Sighting> sightings = Sightings.choose(steady, first);
 		return sightings.isEmpty()
 			? Optional.empty()
-			: estimate(sightings, fixedEnd, length).map(
-				e -> resolve(steady, course(steady, first, e, ends, length), corrections));
+			: estimate(sightings, fixedEnd, length)
+				.map(e -> new Seen(steady, course(steady, first, e, ends, length)));
 	}
 
 	/** Looks at the open frames to see whether the fixed end moves and the length changes. */
@@ -154,19 +201,15 @@ public final class FitResolver {
 			.map(e -> e.fixedEnd().distanceTo(fixedEnd) > NEAR ? e.withFixedEnd(fixedEnd) : e);
 	}
 
-	private Resolved resolve(final List<FrameView> frames, final FilamentCourse course,
-		final Map<Integer, Polyline> corrections) {
+	private FitPools pools(final List<FrameView> frames, final FilamentCourse course) {
 		final boolean free = lengths == LengthModel.FREE;
 		final List<CandidateSet> sets = candidates(frames, course.anchor()::at,
 			t -> free ? OptionalDouble.empty() : OptionalDouble.of(course.in(t).length()));
 		final List<NormalizedFrame> light = light(frames, course.estimate());
-		final List<List<Fit>> proposals = proposals(frames, light, course, sets, corrections);
+		final List<List<Fit>> proposals = proposals(frames, light, course, sets);
 		final FilamentCourse settled = course.withAnchor(course.anchor().refined(proposals));
-		final List<List<Fit>> pools = pools(frames, light, settled,
-			repriced(proposals, light, settled), corrections);
-		return new Resolved(settled.estimate(),
-			new FitTrellis(frames, light, settled, pools, sets).solve(corrections, progress),
-			settled.notes(frames));
+		return new FitPools(frames, light, settled, sets,
+			pools(light, settled, repriced(proposals, light, settled)), settings());
 	}
 
 	/** The same fits, at the price of another anchor. */
@@ -193,29 +236,24 @@ public final class FitResolver {
 
 	private List<List<Fit>> proposals(final List<FrameView> frames,
 		final List<NormalizedFrame> light, final FilamentCourse course,
-		final List<CandidateSet> sets, final Map<Integer, Polyline> corrections) {
+		final List<CandidateSet> sets) {
 		final int links = FilamentEstimator.links(course.estimate().length());
 		final FitSettings rough = settings().roughAndStiff(FitProposals.START_STIFFNESS);
 		return workers.map("Fitting the proposals", progress, frames.size(), t -> {
 			final FilamentFitter fitter = fitter(t, light, course, settings());
 			final FitProposals proposer = new FitProposals(course.in(t), links,
 				settings().freeLength());
-			final Polyline given = corrections.get(frames.get(t).frame());
-			return given == null
-				? proposer.of(sets.get(t), fitter, fitter(t, light, course, rough))
-				: proposer.of(given, fitter);
+			return proposer.of(sets.get(t), fitter, fitter(t, light, course, rough));
 		});
 	}
 
-	private List<List<Fit>> pools(final List<FrameView> frames, final List<NormalizedFrame> light,
-		final FilamentCourse course, final List<List<Fit>> proposals,
-		final Map<Integer, Polyline> corrections) {
-		final int n = frames.size();
-		final Propagation propagation = new Propagation(WIDTH,
+	private List<List<Fit>> pools(final List<NormalizedFrame> light, final FilamentCourse course,
+		final List<List<Fit>> proposals) {
+		final int n = proposals.size();
+		final Propagation propagation = new Propagation(FitSolver.WIDTH,
 			MotionPrice.learn(proposals, course.anchor()),
 			t -> fitter(t, light, course, settings()), proposals,
-			new Propagation.Frames(course, settings().freeLength(),
-				t -> corrections.containsKey(frames.get(t).frame())),
+			new Propagation.Frames(course, settings().freeLength(), t -> false),
 			progress);
 		final List<List<List<Fit>>> walks = workers.map(2, direction -> propagation
 			.walk(IntStream.range(0, n).map(i -> direction == 0 ? i : n - 1 - i).toArray()));

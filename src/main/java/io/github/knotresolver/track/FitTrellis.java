@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BiFunction;
 
 import io.github.knotresolver.candidate.CandidateSet;
 import io.github.knotresolver.fit.Fit;
@@ -22,9 +23,11 @@ import io.github.knotresolver.progress.Progress;
  * @param course what is known about the filament
  * @param pools the fits of every frame
  * @param sets the candidates of every frame
+ * @param quality how well a fit agrees with the frame of an index
  */
 record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentCourse course,
-	List<List<Fit>> pools, List<CandidateSet> sets) {
+	List<List<Fit>> pools, List<CandidateSet> sets,
+	BiFunction<Integer, Fit, FitQuality> quality) {
 
 	/** Where more than this share of the contour is in the dark, there is no filament. */
 	private static final double LOST = 0.6;
@@ -32,7 +35,15 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 	/** Where more than this share is in the dark, no contour can be trusted. */
 	private static final double UNRESOLVED = 0.3;
 
-	List<Observation> solve(final Map<Integer, Polyline> given, final Progress progress) {
+		/** @return whether a contour of this quality may be shown */
+	static boolean isTrusted(final FitQuality quality) {
+		return quality.dark() <= UNRESOLVED;
+	}
+
+	/**
+	 * @param said what the user said, by index of the frame
+	 */
+	List<Observation> solve(final Map<Integer, Restriction> said, final Progress progress) {
 		final List<double[]> prices = pools.stream()
 			.map(p -> p.stream().mapToDouble(Fit::energy).toArray()).toList();
 		final MotionPrice motion = MotionPrice.learn(pools, course.anchor());
@@ -43,25 +54,28 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 		for (int t = 0; t < pools.size(); t++)
 			quality.add(path.choice()[t] < 0
 				? Optional.empty()
-				: Optional.of(FitQuality.of(light.get(t), course.estimate().model(),
-					pools.get(t).get(path.choice()[t]).chain())));
+				: Optional.of(this.quality.apply(t, pools.get(t).get(path.choice()[t]))));
 		final FitConfidence confidence = FitConfidence.learn(quality);
 		final List<Observation> tracked = new ArrayList<>();
 		for (int t = 0; t < pools.size(); t++)
-			tracked.add(tracked(t, path, quality.get(t), confidence, given));
+			tracked.add(tracked(t, path, quality.get(t), confidence,
+				Optional.ofNullable(said.get(t))));
 		return tracked;
 	}
 
 	private Observation tracked(final int t, final TrellisPath path,
 		final Optional<FitQuality> quality, final FitConfidence confidence,
-		final Map<Integer, Polyline> given) {
+		final Optional<Restriction> said) {
 		final int frame = frames.get(t).frame();
 		final boolean lost = quality.isEmpty() || quality.get().dark() > LOST;
 		final boolean dark = lost || quality.get().dark() > UNRESOLVED;
-		if (given.containsKey(frame))
+		final Optional<Polyline> given = said.flatMap(Restriction::contour);
+		if (given.isPresent())
 			return new Observation(frame, FrameStatus.CORRECTED, "Given by the user.",
-				Optional.of(dark ? given.get(frame) : chosen(t, path).chain().contour()),
-				junctions(t), 1, dark ? 0 : chosen(t, path).energy(), 1);
+				Optional.of(dark ? given.get() : chosen(t, path).chain().contour()), junctions(t),
+				1, dark ? 0 : chosen(t, path).energy(), 1);
+		if (said.isPresent() && pools.get(t).isEmpty())
+			return Observation.without(frame, FrameStatus.UNRESOLVED, said.get().unmet());
 		if (lost)
 			return Observation.without(frame, FrameStatus.LOST,
 				"No filament was found in this frame.");
@@ -70,8 +84,9 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 				"The best contour runs in the dark for " + Math.round(100 * quality.get().dark())
 					+ " % of its length.");
 		final Polyline contour = chosen(t, path).chain().contour();
-		return new Observation(frame, FrameStatus.RESOLVED,
-			Outcome.limitReason(sets.get(t).limited()), Optional.of(contour), junctions(t),
+		return new Observation(frame,
+			said.isPresent() ? FrameStatus.CORRECTED : FrameStatus.RESOLVED,
+			said.map(Restriction::met).orElse(Outcome.limitReason(sets.get(t).limited())), Optional.of(contour), junctions(t),
 			pools.get(t).size(), chosen(t, path).energy(),
 			confidence.of(FitConfidence.gap(path, pools.get(t), t), quality.get(),
 				Uncovered.share(frames.get(t).graph(), contour)));

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.function.IntFunction;
 import java.util.function.IntPredicate;
 
@@ -98,6 +100,39 @@ final class Propagation {
 			made.add(fits);
 		}
 		return made;
+	}
+
+	/**
+	 * Walks on from some fits of a frame until nothing comes up any more that is not known.
+	 *
+	 * @param from index of the frame
+	 * @param step 1 forwards in time, -1 backwards
+	 * @param fits the fits
+	 * @param known the fits that are known already, by index of the frame
+	 * @return what is new, by index of the frame
+	 */
+	SortedMap<Integer, List<Fit>> spread(final int from, final int step, final List<Fit> fits,
+		final List<List<Fit>> known) {
+		final SortedMap<Integer, List<Fit>> news = new TreeMap<>();
+		List<Hypothesis> beam = best(new ArrayList<>(
+			fits.stream().map(f -> new Hypothesis(f, Optional.empty(), f.energy())).toList()));
+		for (int t = from + step; t >= 0 && t < known.size() && !beam.isEmpty(); t += step) {
+			progress.checkCancelled();
+			final List<Hypothesis> next = new ArrayList<>();
+			carried(t, carried(beam, t - step, t), next);
+			final List<Fit> old = known.get(t);
+			next.removeIf(h -> isKnown(h.fit, old));
+			beam = next.isEmpty() ? List.of() : best(next);
+			if (!beam.isEmpty())
+				news.put(t, beam.stream().map(Hypothesis::fit).toList());
+		}
+		return news;
+	}
+
+	/** Whether a fit is one that is known, or so much dearer that it will never be taken. */
+	private static boolean isKnown(final Fit fit, final List<Fit> known) {
+		return known.stream().anyMatch(k -> FitPool.isSame(k, fit)) || fit.energy() > HOPELESS
+			+ known.stream().mapToDouble(Fit::energy).min().orElse(fit.energy());
 	}
 
 	/** The hypotheses as they would be if the filament moved with its anchor only. */

@@ -31,7 +31,6 @@ import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Tracks;
-import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
@@ -138,20 +137,6 @@ class ResultFilesTest {
 		assertEquals(written.size(), read.get(3).size());
 		for (int i = 0; i < written.size(); i++)
 			assertEquals(0, written.point(i).distanceTo(read.get(3).point(i)), 1e-3);
-	}
-
-	@ParameterizedTest
-	@CsvSource(delimiter = '|', value = {"frame,x,y;1,2,3|columns frame,index,x_px,y_px",
-		"frame,index,x_px,y_px;1,0,2|line 2, has 3 columns",
-		"frame,index,x_px,y_px;1,0,2,b|line 2: y_px must be a number",
-		"frame,index,x_px,y_px;0,0,2,3|line 2: frame must be a whole number from 1",
-		"frame,index,x_px,y_px;1,0,2,3;1,0,4,5|line 3: frame 1 has two points with index 0"})
-	void correctionsThatAreWrongAreRefusedWithTheirLine(final String text, final String sentence)
-		throws IOException {
-		final Path file = Files.writeString(home.resolve("c.csv"), text.replace(';', '\n'));
-		final String message = assertThrows(UserException.class,
-			() -> ContoursCsv.read(file)).getMessage();
-		assertTrue(message.contains(sentence), message);
 	}
 
 	@ParameterizedTest

@@ -28,6 +28,7 @@ import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.CandidateMethod;
+import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.LengthModel;
 import io.github.knotresolver.model.Movie;
@@ -208,10 +209,10 @@ class FilamentResolverTest {
 	void correctionsThatCannotBeUsedAreNamed() {
 		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(3, LENGTH, 0.8), List.of(),
 			GAUSSIAN, NOISE, 30);
-		assertMessage(drawn,
-			with(new TreeSet<>(), new TreeSet<>(),
-				Map.of(2, Polyline.of(new double[]{5}, new double[]{6}))),
-			"correction of frame 2 needs at least two points");
+		final String message = assertThrows(UserException.class,
+			() -> Constraint.contour(2, Polyline.of(new double[]{5}, new double[]{6})))
+			.getMessage();
+		assertTrue(message.contains("correction of frame 2 needs at least two points"), message);
 		assertMessage(drawn, with(new TreeSet<>(), new TreeSet<>(),
 			Map.of(2, Polyline.of(new double[]{5, 500}, new double[]{6, 600}))), "500.0,600.0");
 	}

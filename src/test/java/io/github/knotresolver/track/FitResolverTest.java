@@ -19,9 +19,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.junit.jupiter.api.Test;
 
-import io.github.knotresolver.model.FrameStatus;
-import io.github.knotresolver.model.LengthModel;
-import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.Drawn;
 import io.github.knotresolver.candidate.CandidateGenerator;
 import io.github.knotresolver.candidate.CandidateSet;
@@ -33,6 +30,10 @@ import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.SkeletonGraph;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.LengthModel;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 
@@ -48,8 +49,10 @@ class FitResolverTest {
 		try (Workers workers = new Workers(1)) {
 			return new FitResolver(generator, EnumSet.of(LINE.kind()), LengthModel.AUTO, workers,
 				Progress.NONE)
-					.resolve(frames, first.start(), OptionalDouble.empty(), corrections)
-					.orElseThrow().frames();
+					.learn(frames, first.start(), OptionalDouble.empty()).orElseThrow()
+					.solve(Settings.DEFAULT.edit().corrections(corrections).build().constraints(),
+						workers, Progress.NONE)
+					.frames();
 		}
 	}
 

@@ -1,0 +1,101 @@
+package io.github.knotresolver.model;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.TreeSet;
+import java.util.function.UnaryOperator;
+import java.util.Collection;
+
+import io.github.knotresolver.geometry.Polyline;
+
+/**
+ * What a person says about one filament in one frame.
+ *
+ * @param filament number of the filament, from 1
+ * @param frame 1-based number of the frame
+ * @param kind what is said
+ * @param shape the contour, fixed end first, or the places, in pixels
+ */
+public record Constraint(int filament, int frame, Kind kind, Polyline shape)
+	implements Comparable<Constraint> {
+
+	/** What a person can say. */
+	public enum Kind {
+		/** This is the whole contour. */
+		CONTOUR,
+		/** The contour passes these places, in any order. */
+		THROUGH,
+		/** The contour's free tip is here. */
+		TIP,
+		/** This contour is wrong. */
+		NOT;
+
+		/** @return the name as written to files: lower case */
+		public String label() {
+			return name().toLowerCase(Locale.ROOT);
+		}
+	}
+
+	private static final Comparator<Constraint> ORDER = Comparator.comparingInt(Constraint::frame)
+		.thenComparingInt(Constraint::filament).thenComparing(Constraint::kind)
+		.thenComparing(c -> c.shape, Constraint::compare);
+
+	public Constraint {
+		Objects.requireNonNull(kind);
+		if (filament < 1)
+			throw new UserException("A correction must be of a filament counted from 1, but is of "
+				+ filament + ".");
+		if (frame < 1)
+			throw new UserException(
+				"A correction must be of a frame counted from 1, but is of " + frame + ".");
+		final boolean whole = kind == Kind.CONTOUR || kind == Kind.NOT;
+		if (whole && (shape.size() < 2 || !(shape.length() > 1)))
+			throw new UserException("The correction of frame " + frame
+				+ " needs at least two points, more than a pixel apart, from the fixed end to the tip.");
+		if (kind == Kind.TIP && shape.size() != 1)
+			throw new UserException("The tip in frame " + frame + " must be one point, but has "
+				+ shape.size() + ".");
+	}
+
+	/**
+	 * @param frame 1-based number of the frame
+	 * @param contour the whole contour of the first filament, in pixels
+	 * @return the constraint
+	 */
+	public static Constraint contour(final int frame, final Polyline contour) {
+		return new Constraint(1, frame, Kind.CONTOUR, contour);
+	}
+
+	/**
+	 * @param all constraints, in any order
+	 * @return the same, each once, in the order of frames
+	 */
+	public static List<Constraint> sorted(final Collection<Constraint> all) {
+		return List.copyOf(new TreeSet<>(all));
+	}
+
+	/**
+	 * @param change turns a shape into one in other pixels
+	 * @return the same constraint in those pixels
+	 */
+	public Constraint with(final UnaryOperator<Polyline> change) {
+		return new Constraint(filament, frame, kind, change.apply(shape));
+	}
+
+	@Override
+	public int compareTo(final Constraint other) {
+		return ORDER.compare(this, other);
+	}
+
+	private static int compare(final Polyline a, final Polyline b) {
+		for (int i = 0; i < Math.min(a.size(), b.size()); i++) {
+			final int x = Double.compare(a.x(i), b.x(i));
+			final int y = x != 0 ? x : Double.compare(a.y(i), b.y(i));
+			if (y != 0)
+				return y;
+		}
+		return Integer.compare(a.size(), b.size());
+	}
+}

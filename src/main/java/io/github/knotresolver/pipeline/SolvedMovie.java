@@ -1,0 +1,184 @@
+package io.github.knotresolver.pipeline;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Anchor;
+import io.github.knotresolver.model.Constraint;
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.pipeline.FrameResolver.Found;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.track.FixedEndFinder;
+import io.github.knotresolver.track.FrameView;
+import io.github.knotresolver.track.SceneResolver;
+import io.github.knotresolver.track.SceneTracks;
+import io.github.knotresolver.track.SingleFilament;
+
+/** A movie as far as it is known without a word of the user: frames as graphs, and who answers. */
+final class SolvedMovie {
+
+	/** A told fixed end farther than this (pixels) from any object is a mistake. */
+	private static final double FAR = 12;
+
+	private final Movie movie;
+	private final PreparedMovie prepared;
+	private final Optional<SceneTracks> scene;
+	private final Optional<FrameResolver> single;
+
+	private SolvedMovie(final Movie movie, final PreparedMovie prepared,
+		final Optional<SceneTracks> scene, final Optional<FrameResolver> single) {
+		this.movie = movie;
+		this.prepared = prepared;
+		this.scene = scene;
+		this.single = single;
+	}
+
+	/**
+	 * Walks the movie from pixels to graphs, and finds out whether one filament is in it or
+	 * several.
+	 *
+	 * @param wanted 1-based numbers of the frames to resolve, in order
+	 */
+	static SolvedMovie look(final Movie movie, final Settings settings,
+		final List<Integer> wanted, final Workers workers, final Progress progress) {
+		final PreparedMovie prepared = PreparedMovie.of(movie, settings, wanted, workers,
+			progress);
+		if (prepared.frames().isEmpty())
+			throw nothingFound(movie);
+		final Optional<SceneTracks> scene = scene(prepared, settings, workers, progress);
+		return new SolvedMovie(movie, prepared, scene,
+			scene.isPresent()
+				? Optional.empty()
+				: Optional.of(single(movie, prepared, settings, progress)));
+	}
+
+	/** All filaments of the movie; empty if it holds one that is clamped, or one is asked for. */
+	private static Optional<SceneTracks> scene(final PreparedMovie prepared,
+		final Settings settings, final Workers workers, final Progress progress) {
+		if (!settings.deliversAll() || SingleFilament.isClampedAlone(prepared.frames()))
+			return Optional.empty();
+		return new SceneResolver(prepared.kinds(), workers, progress)
+			.resolve(prepared.frames(), settings.anchor())
+			.filter(s -> s.filaments().size() > 1 || !s.filaments().get(0).clamped());
+	}
+
+	private static FrameResolver single(final Movie movie, final PreparedMovie prepared,
+		final Settings settings, final Progress progress) {
+		final Settings working = prepared.pixels().of(settings);
+		final List<FrameView> frames = prepared.frames();
+		progress.report("Looking for the fixed end", 0);
+		settings.fixedEnd()
+			.ifPresent(end -> requireNearObject(end, working.fixedEnd().orElseThrow(), prepared));
+		final Point fixedEnd = working.fixedEnd()
+			.orElseGet(() -> new FixedEndFinder(frames, progress).find()
+				.orElseThrow(() -> nothingFound(movie)));
+		return new FrameResolver(working, prepared.kinds(), frames, fixedEnd);
+	}
+
+	/**
+	 * Answers.
+	 *
+	 * @param told the settings with all that the user said
+	 * @return the result, in the movie's pixels
+	 */
+	Tracks solve(final Settings told, final Workers workers, final Progress progress) {
+		final List<String> notes = new ArrayList<>(prepared.notes());
+		final List<FilamentTrack> filaments = scene.isPresent()
+			? of(scene.get(), notes)
+			: List.of(one(told, notes, workers, progress));
+		told.constraints().forEach(c -> requireFilament(c, filaments.size()));
+		return new Tracks(movie, told, filaments.stream().map(prepared.pixels()::out)
+			.map(f -> given(f, told.constraints())).toList(), notes);
+	}
+
+	private List<FilamentTrack> of(final SceneTracks found, final List<String> notes) {
+		notes.add("Line model: " + found.model() + ".");
+		notes.addAll(found.notes());
+		return SceneDelivery.tracks(found, o -> everyFrame(prepared.withLost(o)));
+	}
+
+	/** The one filament that is clamped. */
+	private FilamentTrack one(final Settings told, final List<String> notes,
+		final Workers workers, final Progress progress) {
+		told.constraints().forEach(c -> requireFilament(c, 1));
+		final Found found = single.orElseThrow()
+			.resolve(prepared.pixels().in(told.constraints()), workers, progress)
+			.orElseThrow(() -> nothingFound(movie));
+		if (found.frames().stream().allMatch(f -> f.contour().isEmpty()))
+			throw nothingFound(movie);
+		notes.addAll(found.notes());
+		return new FilamentTrack(1, Anchor.CLAMPED, Optional.of(found.fixedEnd()), found.length(),
+			found.lengthError(), everyFrame(prepared.withLost(found.frames())));
+	}
+
+	/** Contours that the user gave stand, also where nothing was to be seen. */
+	private FilamentTrack given(final FilamentTrack track, final List<Constraint> constraints) {
+		final Map<Integer, Polyline> contours = new HashMap<>();
+		for (final Constraint c : constraints)
+			if (c.filament() == track.id()) {
+				if (c.kind() == Constraint.Kind.CONTOUR)
+					contours.put(c.frame(), c.shape());
+				else if (scene.isPresent())
+					throw new UserException("The correction of frame " + c.frame()
+						+ " is of the kind " + c.kind().label()
+						+ ", but where several filaments are resolved, corrections are whole contours; draw the whole contour.");
+			}
+		return new FilamentTrack(track.id(), track.anchor(), track.fixedEnd(), track.length(),
+			track.lengthError(), track.frames().stream()
+				.map(o -> given(o, Optional.ofNullable(contours.get(o.frame())))).toList());
+	}
+
+	private static Observation given(final Observation found, final Optional<Polyline> contour) {
+		return contour.isEmpty() || found.status() == FrameStatus.CORRECTED
+			|| found.status() == FrameStatus.IGNORED
+				? found
+				: new Observation(found.frame(), FrameStatus.CORRECTED, "Given by the user.",
+					contour, found.junctions(), 1, 0, 1);
+	}
+
+	private List<Observation> everyFrame(final Collection<Observation> found) {
+		final Map<Integer, Observation> byFrame = new HashMap<>();
+		found.forEach(f -> byFrame.put(f.frame(), f));
+		final List<Observation> all = new ArrayList<>();
+		for (int frame = 1; frame <= movie.size(); frame++)
+			all.add(byFrame.getOrDefault(frame,
+				Observation.without(frame, FrameStatus.IGNORED, "Left out, as asked.")));
+		return all;
+	}
+
+	private static void requireFilament(final Constraint constraint, final int filaments) {
+		if (constraint.filament() > filaments)
+			throw new UserException("corrections name filament " + constraint.filament()
+				+ ", but the movie has " + filaments + (filaments == 1 ? "." : " filaments."));
+	}
+
+	private static void requireNearObject(final Point end, final Point working,
+		final PreparedMovie prepared) {
+		final double nearest = prepared.pixels().binning() * prepared.frames().stream()
+			.mapToDouble(f -> f.distance(working)).min().orElse(Double.POSITIVE_INFINITY);
+		if (nearest > FAR)
+			throw new UserException("fixed_end " + end + " is "
+				+ (Double.isInfinite(nearest) ? "not near" : Math.round(nearest) + " px from")
+				+ " any object in any frame; give a point on the "
+				+ "filament's clamped end, in pixels, or none to have it found.");
+	}
+
+	private static UserException nothingFound(final Movie movie) {
+		return new UserException("No filament was found in '" + movie.name()
+			+ "': no line can be followed in any frame; check the channel, "
+			+ "tell the fixed end, or set a threshold.");
+	}
+}

@@ -1,0 +1,62 @@
+package io.github.knotresolver.track;
+
+import java.util.List;
+import java.util.Optional;
+
+import io.github.knotresolver.candidate.CandidateSet;
+import io.github.knotresolver.fit.FilamentEstimator;
+import io.github.knotresolver.fit.FilamentFitter;
+import io.github.knotresolver.fit.Fit;
+import io.github.knotresolver.fit.FitSettings;
+import io.github.knotresolver.fit.NormalizedFrame;
+import io.github.knotresolver.progress.Progress;
+
+/**
+ * All that was found in a movie before the user said anything: it is made once, and every
+ * answer is chosen from it.
+ *
+ * @param frames the frames, in order of time
+ * @param light their pixels, a strand's brightness 1
+ * @param course line, length and fixed end
+ * @param sets the candidates of every frame
+ * @param fits the fits of every frame
+ * @param settings weights of the fits
+ */
+record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCourse course,
+	List<CandidateSet> sets, List<List<Fit>> fits, FitSettings settings) {
+
+	/** @return the fitter of a frame */
+	FilamentFitter fitter(final int t) {
+		return fitter(t, settings);
+	}
+
+	private FilamentFitter fitter(final int t, final FitSettings weights) {
+		return new FilamentFitter(light.get(t), course.estimate().model(), links(),
+			Optional.of(course.anchor().at(t)),
+			weights.withClampWeight(course.anchor().weight(t)));
+	}
+
+	private int links() {
+		return FilamentEstimator.links(course.estimate().length());
+	}
+
+	/** @return the fits of a frame that are as the user said: those at hand, and further ones */
+	List<Fit> restricted(final int t, final Restriction said) {
+		final FitProposals proposals = new FitProposals(course.in(t), links(),
+			settings.freeLength());
+		if (said.contour().isPresent())
+			return proposals.of(said.contour().get(), fitter(t));
+		final FitPool pool = new FitPool();
+		fits.get(t).forEach(pool::add);
+		final FitSettings rough = settings.roughAndStiff(FitProposals.START_STIFFNESS);
+		proposals.of(sets.get(t), fitter(t), fitter(t, rough), said::isNearlyMetBy)
+			.forEach(pool::add);
+		return pool.fits().stream().filter(f -> said.isMetBy(f.chain().contour())).toList();
+	}
+
+	/** @return what carries fits of a frame to its neighbours */
+	Propagation propagation(final int width, final Progress progress) {
+		return new Propagation(width, MotionPrice.learn(fits, course.anchor()), this::fitter, fits,
+			new Propagation.Frames(course, settings.freeLength(), t -> false), progress);
+	}
+}

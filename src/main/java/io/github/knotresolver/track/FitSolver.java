@@ -1,0 +1,117 @@
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
+
+import io.github.knotresolver.fit.Fit;
+import io.github.knotresolver.fit.FitQuality;
+import io.github.knotresolver.model.Constraint;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.track.FitResolver.Resolved;
+
+/**
+ * Answers for one movie, again and again. What the user says of a frame leaves fewer fits
+ * there and brings up others in its neighbours, as far as they are new; each such
+ * consequence hangs on that frame alone, and is kept. So the answer is the same in whatever
+ * order things were said, and the same as if all had been said at the beginning; only the
+ * cheapest way through all fits is looked for anew.
+ */
+public final class FitSolver {
+
+	/** Number of hypotheses that are carried along. */
+	static final int WIDTH = 3;
+
+	private final FitPools pools;
+	private final Map<Restriction, Consequence> known = new ConcurrentHashMap<>();
+	private final List<Map<Fit, FitQuality>> qualities = new ArrayList<>();
+
+	FitSolver(final FitPools pools) {
+		this.pools = pools;
+		pools.frames().forEach(f -> qualities.add(new IdentityHashMap<>()));
+	}
+
+	/** The fits that a restriction leaves in its frame, and those that it brings up elsewhere. */
+	private record Consequence(List<Fit> left, SortedMap<Integer, List<Fit>> elsewhere) {
+	}
+
+	/**
+	 * Chooses a contour for each frame. Not for several threads at once.
+	 *
+	 * @param constraints what the user said of the filament, in any order
+	 * @param workers threads
+	 * @param progress told how far the work is, and asked whether to stop
+	 * @return one contour a frame
+	 */
+	public Resolved solve(final List<Constraint> constraints, final Workers workers,
+		final Progress progress) {
+		final SortedMap<Integer, Restriction> said = byFrame(constraints);
+		consider(said, workers, progress);
+		final List<List<Fit>> fits = fits(said);
+		final List<Observation> frames = new FitTrellis(
+			pools.frames(), pools.light(), pools.course(), fits, pools.sets(), this::quality)
+				.solve(said, progress);
+		return new Resolved(pools.course().estimate(), frames,
+			pools.course().notes(pools.frames()));
+	}
+
+	private SortedMap<Integer, Restriction> byFrame(final List<Constraint> constraints) {
+		final double sigma = pools.course().estimate().model().sigma();
+		final SortedMap<Integer, Restriction> said = new TreeMap<>();
+		for (int t = 0; t < pools.frames().size(); t++) {
+			final int frame = pools.frames().get(t).frame();
+			final List<Constraint> here = Constraint
+				.sorted(constraints.stream().filter(c -> c.frame() == frame).toList());
+			if (!here.isEmpty())
+				said.put(t, new Restriction(here, sigma));
+		}
+		return said;
+	}
+
+	/** Works out what is new. */
+	private void consider(final SortedMap<Integer, Restriction> said, final Workers workers,
+		final Progress progress) {
+		final List<Integer> news = said.keySet().stream()
+			.filter(t -> !known.containsKey(said.get(t))).toList();
+		workers.map("Thinking over what was said", progress, news.size(), i -> known
+			.put(said.get(news.get(i)), consequence(news.get(i), said.get(news.get(i)), progress)));
+	}
+
+	private Consequence consequence(final int t, final Restriction restriction,
+		final Progress progress) {
+		final List<Fit> left = pools.restricted(t, restriction);
+		final Propagation propagation = pools.propagation(WIDTH, progress);
+		final SortedMap<Integer, List<Fit>> elsewhere = new TreeMap<>(
+			propagation.spread(t, 1, left, pools.fits()));
+		elsewhere.putAll(propagation.spread(t, -1, left, pools.fits()));
+		return new Consequence(left, elsewhere);
+	}
+
+	/** The fits of all frames as they are after all was said. */
+	private List<List<Fit>> fits(final SortedMap<Integer, Restriction> said) {
+		final List<List<Fit>> fits = new ArrayList<>();
+		for (int t = 0; t < pools.frames().size(); t++) {
+			final Restriction here = said.get(t);
+			final FitPool pool = new FitPool();
+			(here == null ? pools.fits().get(t) : known.get(here).left).forEach(pool::add);
+			if (here == null || here.contour().isEmpty())
+				for (final Restriction other : said.values())
+					known.get(other).elsewhere.getOrDefault(t, List.of()).stream()
+						.filter(f -> here == null || here.isMetBy(f.chain().contour()))
+						.forEach(pool::add);
+			fits.add(pool.fits());
+		}
+		return fits;
+	}
+
+	private FitQuality quality(final int t, final Fit fit) {
+		return qualities.get(t).computeIfAbsent(fit, f -> FitQuality.of(pools.light().get(t),
+			pools.course().estimate().model(), f.chain()));
+	}
+}

@@ -1,0 +1,91 @@
+package io.github.knotresolver.track;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Constraint;
+import io.github.knotresolver.model.Constraint.Kind;
+
+/**
+ * What the user said about one frame, as a question to a contour.
+ *
+ * @param constraints all of that frame, in their own order, at least one
+ * @param sigma width of the line in pixels
+ */
+record Restriction(List<Constraint> constraints, double sigma) {
+
+	/** A place is shown to within so many line widths, but no better than so many pixels. */
+	private static final double WIDTHS = 2, LEAST = 3;
+
+	/** Contours that differ by less (pixels, mean at equal arc length) are one to the eye. */
+	private static final double VISIBLE = 2.5;
+
+	Restriction {
+		constraints = List.copyOf(constraints);
+	}
+
+	/** @return the whole contour, if it was given; of several the last */
+	Optional<Polyline> contour() {
+		return constraints.stream().filter(c -> c.kind() == Kind.CONTOUR).map(Constraint::shape)
+			.reduce((first, last) -> last);
+	}
+
+	/** @return whether a contour, from the fixed end to the tip, is as the user said */
+	boolean isMetBy(final Polyline contour) {
+		return isMetBy(contour, 1);
+	}
+
+	/** @return whether a contour that has not been fitted may become one that is */
+	boolean isNearlyMetBy(final Polyline contour) {
+		return isMetBy(contour, 2);
+	}
+
+	private boolean isMetBy(final Polyline contour, final double slack) {
+		final double reach = slack * Math.max(LEAST, WIDTHS * sigma);
+		return constraints.stream().allMatch(c -> switch (c.kind()) {
+			case CONTOUR -> true;
+			case TIP -> contour.last().distanceTo(c.shape().first()) <= reach;
+			case THROUGH -> IntStream.range(0, c.shape().size())
+				.allMatch(i -> distance(contour, c.shape().point(i)) <= reach);
+			case NOT -> slack > 1 || differs(contour, c.shape());
+		});
+	}
+
+	private static boolean differs(final Polyline contour, final Polyline refused) {
+		final int links = Math.max(2, (int) Math.min(contour.length(), refused.length()) / 2);
+		return Chain.along(contour, links, contour.length())
+			.distance(Chain.along(refused, links, refused.length())) > VISIBLE;
+	}
+
+	private static double distance(final Polyline contour, final Point place) {
+		double nearest = Double.POSITIVE_INFINITY;
+		for (int i = 1; i < contour.size(); i++)
+			nearest = Math.min(nearest,
+				distance(contour.point(i - 1), contour.point(i), place));
+		return nearest;
+	}
+
+	private static double distance(final Point a, final Point b, final Point p) {
+		final double dx = b.x() - a.x(), dy = b.y() - a.y(), square = dx * dx + dy * dy;
+		final double along = square == 0
+			? 0
+			: Math.max(0, Math.min(1, ((p.x() - a.x()) * dx + (p.y() - a.y()) * dy) / square));
+		return p.distanceTo(new Point(a.x() + along * dx, a.y() + along * dy));
+	}
+
+	/** @return what is said of a frame whose contour is as the user said */
+	String met() {
+		return constraints.stream().allMatch(c -> c.kind() == Kind.NOT)
+			? "Another contour than the one that the user refused."
+			: "As the user said.";
+	}
+
+	/** @return what is said of a frame for which there is no such contour */
+	String unmet() {
+		return "No contour that explains the picture is as the user said; draw the whole contour.";
+	}
+}
