@@ -100,7 +100,7 @@ def resolve(mode, folder, files):
     path = subprocess.run([ROOT / "scripts" / "test-classpath"], check=True, capture_output=True, text=True).stdout
     java = pathlib.Path(os.environ["JAVA_HOME"]) / "bin" / "java" if "JAVA_HOME" in os.environ else "java"
     subprocess.run([java, "-Djava.awt.headless=true", *os.environ.get("JAVA_OPTS", "").split(), "-cp", path.strip(),
-                    "io.github.knotresolver.pipeline.BenchmarkMain", folder, mode, *files], check=True)
+                    "io.github.knotresolver.session.BenchmarkMain", folder, mode, *files], check=True)
     with open(folder / mode / "runs.csv", encoding="utf-8") as f:
         return {(mode, row["movie"]): row for row in csv.DictReader(f)}
 

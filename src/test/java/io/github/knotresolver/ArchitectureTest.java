@@ -19,9 +19,8 @@ class ArchitectureTest {
 
 	/** The rooms, in the order in which data walks through them. */
 	private static final List<String> ROOMS = List.of("geometry", "progress", "model", "image", "mask",
-		"skeleton", "graph", "candidate", "contour", "fit", "track", "paper",
-		"measure", "pipeline",
-		"simulate", "evaluate", "options", "io", "run", "imagej", "command", "cli");
+		"skeleton", "graph", "candidate", "contour", "fit", "track", "paper", "session",
+		"measure", "simulate", "evaluate", "options", "io", "run", "imagej", "command", "cli");
 
 	private static final JavaClasses CLASSES = new ClassFileImporter()
 		.withImportOption(new ImportOption.DoNotIncludeTests())

@@ -1,5 +1,5 @@
 /**
- * The command line: reads options, calls the pipeline, writes a result folder
+ * The command line: reads options, calls the run, writes a result folder
  * and says in one line what came of it. Errors are one line on standard error,
  * never a stack trace; the exit status tells what kind
  * ({@link io.github.knotresolver.cli.ExitStatus}). No ImageJ window and no

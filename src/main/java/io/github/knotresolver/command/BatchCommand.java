@@ -16,8 +16,8 @@ import io.github.knotresolver.imagej.Batch;
 import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.imagej.form.MacroOptions;
 import io.github.knotresolver.io.BatchList;
-import io.github.knotresolver.io.BatchOutcome.Status;
 import io.github.knotresolver.io.BatchOutcome;
+import io.github.knotresolver.io.BatchOutcome.Status;
 import io.github.knotresolver.io.BatchSheet;
 import io.github.knotresolver.io.MovieFolder;
 import io.github.knotresolver.model.UserException;
@@ -49,7 +49,7 @@ public class BatchCommand extends KnotCommand {
 
 	private Engine engine = Engine.PIPELINE;
 
-	/** @param other what resolves movies instead of the pipeline */
+	/** @param other what resolves movies instead of a session */
 	void setEngine(final Engine other) {
 		engine = other;
 	}

@@ -3,7 +3,6 @@ package io.github.knotresolver.command;
 import java.awt.GraphicsEnvironment;
 import java.io.File;
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -167,7 +166,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 
 	private Engine engine = Engine.PIPELINE;
 
-	/** @param other what resolves movies instead of the pipeline */
+	/** @param other what resolves movies instead of a session */
 	void setEngine(final Engine other) {
 		engine = other;
 	}

@@ -5,7 +5,7 @@ import net.imglib2.type.numeric.RealType;
 import net.imglib2.view.Views;
 
 /**
- * One channel of a time series: what the pipeline starts from. It is read,
+ * One channel of a time series: what everything starts from. It is read,
  * never written.
  *
  * @param name what the movie is called, usually the image's title

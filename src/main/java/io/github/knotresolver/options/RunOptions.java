@@ -15,7 +15,7 @@ import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.pipeline.FrameChoice;
+import io.github.knotresolver.session.FrameChoice;
 
 /**
  * The options of a run, read from text: one definition ({@link ResolveOptions}) for

@@ -4,10 +4,10 @@ import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.pipeline.FilamentResolver;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.session.FilamentResolver;
 
-/** What turns a movie into a result: the pipeline, or what a test puts in its place. */
+/** What turns a movie into a result: a session, or what a test puts in its place. */
 @FunctionalInterface
 public interface Engine {
 

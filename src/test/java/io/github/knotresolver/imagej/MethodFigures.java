@@ -61,8 +61,8 @@ import io.github.knotresolver.model.Segmentation;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.options.InputOptions;
-import io.github.knotresolver.pipeline.FilamentResolver;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.session.FilamentResolver;
 import io.github.knotresolver.skeleton.Skeletonize;
 
 /**

@@ -1,4 +1,4 @@
-package io.github.knotresolver.pipeline;
+package io.github.knotresolver.session;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;

@@ -1,5 +1,5 @@
 
-package io.github.knotresolver.pipeline;
+package io.github.knotresolver.session;
 
 import java.util.ArrayList;
 import java.util.Comparator;

@@ -1,4 +1,4 @@
-package io.github.knotresolver.pipeline;
+package io.github.knotresolver.session;
 
 import java.util.ArrayList;
 import java.util.Collection;
@@ -18,9 +18,9 @@ import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.pipeline.FrameResolver.Found;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.session.FrameResolver.Found;
 import io.github.knotresolver.track.FixedEndFinder;
 import io.github.knotresolver.track.FrameView;
 import io.github.knotresolver.track.SceneResolver;

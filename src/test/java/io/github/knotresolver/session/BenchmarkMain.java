@@ -1,4 +1,4 @@
-package io.github.knotresolver.pipeline;
+package io.github.knotresolver.session;
 
 import java.io.IOException;
 import java.io.PrintStream;
