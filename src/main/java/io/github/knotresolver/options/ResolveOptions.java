@@ -165,7 +165,7 @@ public final class ResolveOptions {
 			.byDefault("none").reads((d, t) -> d.corrections = Optional.of(OptionText.path("corrections", t))),
 
 		option("pixel_size", Kind.TEXT).basic(Section.UNITS).takes("P").label("Pixel size")
-			.help("Edge of a pixel").byDefault("the image's").range("above 0")
+			.help("Edge of a pixel").byDefault("the image's").range("0.1 nm to 1 mm")
 			.reads((d, t) -> d.pixelSize = OptionalDouble.of(OptionText.positive("pixel_size", t)))
 			.writes(c -> c.calibration().hasLengthUnit() ? c.calibration().pixelSize() : null),
 
@@ -176,7 +176,7 @@ public final class ResolveOptions {
 
 		option("frame_interval", Kind.TEXT).basic(Section.UNITS).takes("S")
 			.label("Frame interval (s)").help("Seconds between frames").byDefault("the image's")
-			.range("above 0")
+			.range("1e-9 s to a year")
 			.reads((d, t) -> d.frameInterval = OptionalDouble
 				.of(OptionText.positive("frame_interval", t)))
 			.writes(c -> c.calibration().hasTimeUnit() ? c.calibration().frameInterval() : null),
