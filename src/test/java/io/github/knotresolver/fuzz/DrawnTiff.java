@@ -9,6 +9,7 @@ import java.util.zip.Deflater;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
+import net.jqwik.api.Tuple;
 
 /** TIFF stacks of a few pixels, of all kinds, with directories that say odd things. */
 final class DrawnTiff {
@@ -32,28 +33,30 @@ final class DrawnTiff {
 	}
 
 	static Arbitrary<byte[]> any() {
-		final Arbitrary<Kind> kinds = Combinators
-			.combine(Arbitraries.integers().between(1, 24), Arbitraries.integers().between(1, 24),
-				Arbitraries.integers().between(1, 4), Arbitraries.of(1, 8, 8, 16, 16, 32, 32, 64),
-				Arbitraries.of(1, 1, 1, 8, 5, 32773, 32946, 7), Arbitraries.of(true, false),
-				Arbitraries.of(1, 1, 2, 3),
-				Arbitraries.of("", "ImageJ=1.54p\nimages=3\nframes=3\n",
-					"ImageJ=1.54p\nimages=9999999\nslices=7\nunit=\\u00B5m\nfinterval=1e308\n",
-					"ImageJ=1.11a\nimages=-4\nspacing=NaN\nmin=a\n",
-					"<?xml version=\"1.0\"?><OME><Image><Pixels SizeX=\"3\" DimensionOrder=\"XYZCT\" "
-						+ "PhysicalSizeX=\"x\" TimeIncrement=\"-1\" SizeT=\"99999999\"/></Image></OME>"))
+		final Arbitrary<Kind> kinds = Combinators.combine(Arbitraries.integers().between(1, 24),
+			Arbitraries.integers().between(1, 24), Arbitraries.integers().between(1, 4),
+			Arbitraries.of(8, 8, 8, 16, 16, 16, 16, 1, 32, 64),
+			Arbitraries.of(1, 1, 1, 1, 8, 8, 8, 5, 32773, 32946, 7), Arbitraries.of(true, false),
+			Arbitraries.of(1, 1, 1, 1, 1, 2, 3),
+			Arbitraries.of("", "", "", "", "", "", "ImageJ=1.54p\nimages=3\nframes=3\n",
+				"ImageJ=1.54p\nimages=9999999\nslices=7\nunit=\\u00B5m\nfinterval=1e308\n",
+				"ImageJ=1.11a\nimages=-4\nspacing=NaN\nmin=a\n",
+				"<?xml version=\"1.0\"?><OME><Image><Pixels SizeX=\"3\" DimensionOrder=\"XYZCT\" "
+					+ "PhysicalSizeX=\"x\" TimeIncrement=\"-1\" SizeT=\"99999999\"/></Image></OME>"))
 			.as(Kind::new);
 		final Arbitrary<List<Lie>> lies = Combinators
 			.combine(Arbitraries.integers().between(0, 3), Arbitraries.integers().between(0, 15),
 				Arbitraries.integers().between(0, 4), Arbitraries.integers().between(0, 999))
-			.as(Lie::new).list().ofMaxSize(3);
-		return Combinators.combine(kinds, lies, Drawings.edits())
+			.as(Lie::new).list().ofMinSize(1).ofMaxSize(3);
+		final Arbitrary<List<Lie>> some = Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.just(List.of())), Tuple.of(1, lies));
+		return Combinators.combine(kinds, some, Drawings.edits())
 			.as((kind, told, edits) -> Drawings.damaged(file(kind, told), edits));
 	}
 
 	private static byte[] file(final Kind k, final List<Lie> lies) {
 		final byte[] strip = strip(k);
-		final byte[] text = (k.description + "\0").getBytes(java.nio.charset.StandardCharsets.UTF_8);
+		final byte[] text = (k.description + "\0")
+			.getBytes(java.nio.charset.StandardCharsets.UTF_8);
 		final int entries = 11, directory = 2 + 12 * entries + 4;
 		final int page = directory + text.length + strip.length;
 		final ByteBuffer out = ByteBuffer.allocate(8 + k.pages * page)

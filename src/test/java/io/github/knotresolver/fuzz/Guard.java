@@ -34,6 +34,8 @@ public final class Guard {
 
 	private static final Map<String, Integer> COUNTS = new TreeMap<>();
 
+	private static final Map<String, Integer> OUTCOMES = new TreeMap<>();
+
 	private final String name;
 	private final ExecutorService executor = Executors.newSingleThreadExecutor(this::worker);
 	private volatile Thread thread;
@@ -56,7 +58,8 @@ public final class Guard {
 	 * @param work reads it
 	 */
 	public void run(final Supplier<String> input, final Runnable work) {
-		run(input, work, () -> ManagementFactory.getThreadMXBean().getThreadCpuTime(thread.getId()));
+		run(input, work,
+			() -> ManagementFactory.getThreadMXBean().getThreadCpuTime(thread.getId()));
 	}
 
 	/**
@@ -76,6 +79,7 @@ public final class Guard {
 		for (int waited = 0;; waited++)
 			try {
 				running.get(1, TimeUnit.SECONDS);
+				count(name + " read");
 				return;
 			} catch (final ExecutionException e) {
 				judge(input, e.getCause());
@@ -105,6 +109,7 @@ public final class Guard {
 			report(input, thrown);
 			return;
 		}
+		count(name + " refused");
 		final String sentence = thrown.getMessage();
 		if (sentence == null || sentence.isBlank())
 			report(input, new AssertionError("not a sentence: " + sentence, thrown));
@@ -119,7 +124,8 @@ public final class Guard {
 	public void report(final Supplier<String> input, final Throwable thrown) {
 		if (!COLLECT)
 			throw new AssertionError(name + ": " + thrown + "\n  for " + input.get(), thrown);
-		final String kind = name + ": " + thrown.getClass().getSimpleName() + " at " + place(thrown);
+		final String kind = name + ": " + thrown.getClass().getSimpleName() + " at "
+			+ place(thrown);
 		synchronized (COUNTS) {
 			if (COUNTS.merge(kind, 1, Integer::sum) == 1) {
 				final StringWriter trace = new StringWriter();
@@ -137,8 +143,21 @@ public final class Guard {
 		return thrown.getStackTrace().length == 0 ? "?" : thrown.getStackTrace()[0].toString();
 	}
 
+	/**
+	 * Counts what became of an input.
+	 *
+	 * @param outcome what became of it
+	 */
+	public static void count(final String outcome) {
+		synchronized (OUTCOMES) {
+			OUTCOMES.merge(outcome, 1, Integer::sum);
+		}
+	}
+
 	/** Fails if failures were counted. */
 	public static void assertNone() {
+		if (COLLECT)
+			OUTCOMES.forEach((outcome, times) -> System.out.println(times + " " + outcome));
 		synchronized (COUNTS) {
 			if (!COUNTS.isEmpty())
 				throw new AssertionError(COUNTS.toString());

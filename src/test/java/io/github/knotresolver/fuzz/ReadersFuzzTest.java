@@ -56,8 +56,8 @@ class ReadersFuzzTest {
 
 	@Provide
 	Arbitrary<byte[]> corrections() {
-		return Drawings.table(
-			List.of("filament", "frame", "kind", "index", "x_px", "y_px"), List.of("note"));
+		return Drawings.table(List.of("filament", "frame", "kind", "index", "x_px", "y_px"),
+			List.of("note"));
 	}
 
 	@Provide
@@ -118,9 +118,9 @@ class ReadersFuzzTest {
 
 	@Provide
 	Arbitrary<byte[]> parameters() {
-		final String[] values = {"null", "true", "-1", "1e999", "0", "\"\"", "{}", "[]",
-			"[[[[]]]]", "{\"a\": 1}", "\"1e308\"", "99999999999", "\"nm\"", "NaN", "'x'",
-			"[1, 2]", "\"\\u0000\""};
+		final String[] values = {"null", "true", "-1", "1e999", "0", "\"\"", "{}", "[]", "[[[[]]]]",
+			"{\"a\": 1}", "\"1e308\"", "99999999999", "\"nm\"", "NaN", "'x'", "[1, 2]",
+			"\"\\u0000\""};
 		final Arbitrary<String> changed = Combinators
 			.combine(Arbitraries.integers().between(0, 24), Arbitraries.of(values)).as((n, v) -> {
 				final String[] parts = PARAMETERS.split("(?<=: )", -1);
@@ -156,8 +156,9 @@ class ReadersFuzzTest {
 		final List<String> keys = new ArrayList<>(RunOptions.KEYS);
 		keys.addAll(List.of("movie", "force", "=", "[", "''", "&"));
 		final Arbitrary<String> word = Combinators
-			.combine(Arbitraries.of(keys), Arbitraries.of("=", "=", "=", "", "=[", "='", "= ", "=&"),
-				Drawings.odd(), Arbitraries.of("", "", "]", "'", " ", "]]"))
+			.combine(Arbitraries.of(keys),
+				Arbitraries.of("=", "=", "=", "", "=[", "='", "= ", "=&"), Drawings.odd(),
+				Arbitraries.of("", "", "]", "'", " ", "]]"))
 			.as((key, equals, value, end) -> key + equals + value + end);
 		return word.list().ofMaxSize(5).map(words -> String.join(" ", words));
 	}
