@@ -1,5 +1,6 @@
 package io.github.knotresolver.io;
 
+import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.measure.Quantity;
 import io.github.knotresolver.measure.Rigidity;
@@ -31,6 +32,9 @@ public final class MeasureOptions {
 	public static final Set<String> KEYS = Collections
 		.unmodifiableSet(new LinkedHashSet<>(Arrays.asList("pixel_size", "unit", "frame_interval",
 			"smoothing_window", "smoothing_order", "persistence_length", "rigidity", "spectra")));
+
+	/** From a floppy chain measured in millimetres to a rod in nanometres. */
+	private static final double SOFTEST = 1e-9, STIFFEST = 1e12;
 
 	private final Map<String, String> given;
 
@@ -80,7 +84,10 @@ public final class MeasureOptions {
 	}
 
 	private Optional<Smoothing> smoothing(final ContourInput contours, final Calibration c) {
-		final Optional<Double> window = positive("smoothing_window");
+		final double longest = contours.contours().stream().flatMap(Optional::stream)
+			.mapToDouble(Polyline::length).max().orElse(0) * c.pixelSize();
+		final Optional<Double> window = within("smoothing_window", c.pixelSize(),
+			Math.max(2 * longest, c.pixelSize()), " " + c.unit());
 		final int order = given.containsKey("smoothing_order")
 			? OptionText.wholeNumber("smoothing_order", given.get("smoothing_order"))
 			: Smoothing.DEFAULT_ORDER;
@@ -93,13 +100,23 @@ public final class MeasureOptions {
 	}
 
 	private Rigidity stiffness() {
-		final Optional<Double> length = positive("persistence_length");
-		final Optional<Double> rigidity = positive("rigidity");
+		final Optional<Double> length = within("persistence_length", SOFTEST, STIFFEST, "");
+		final Optional<Double> rigidity = within("rigidity", SOFTEST, STIFFEST, " pN µm²");
 		if (length.isPresent() && rigidity.isPresent())
 			throw new UserException(
 				"Give either a persistence length or a rigidity, not both.");
 		return length.map(Rigidity::ofPersistenceLength)
 			.orElseGet(() -> rigidity.map(Rigidity::ofFlexural).orElse(Rigidity.UNKNOWN));
+	}
+
+	private Optional<Double> within(final String key, final double least, final double most,
+		final String unit) {
+		return positive(key).map(value -> {
+			if (value < least || value > most)
+				throw OptionText.refusal(key, "from " + NumberText.significant(least) + " to "
+					+ NumberText.significant(most) + unit, given.get(key));
+			return value;
+		});
 	}
 
 	private Optional<Double> positive(final String key) {

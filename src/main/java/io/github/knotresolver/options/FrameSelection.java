@@ -15,6 +15,9 @@ import io.github.knotresolver.model.UserException;
  */
 public final class FrameSelection {
 
+	/** No movie has more. */
+	private static final int MOST_FRAMES = 1_000_000;
+
 	private static final Pattern PART = Pattern.compile("(\\d{1,7})(?:-(\\d{1,7}))?");
 
 	private FrameSelection() {
@@ -47,6 +50,9 @@ public final class FrameSelection {
 			throw new UserException(
 				key + " must be frames counted from 1, such as 1-40,45, but is '" + text.strip()
 					+ "'.");
+		if (to > MOST_FRAMES)
+			throw new UserException(key + " must be frames of a movie, from 1 to " + MOST_FRAMES
+				+ ", but is '" + text.strip() + "'.");
 		for (int frame = from; frame <= to; frame++)
 			frames.add(frame);
 	}

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -16,6 +17,9 @@ import io.github.knotresolver.progress.Progress;
  * not feel each other, as in the published model. O(frames · steps · links).
  */
 public final class FilamentSimulator {
+
+	/** A link whose length is off by this (relative) is not a link any more. */
+	private static final double TORN = 0.1;
 
 	private final SimulationParameters parameters;
 	private final Chain chain;
@@ -43,6 +47,8 @@ public final class FilamentSimulator {
 	 *
 	 * @param progress told after every frame; may cancel
 	 * @return one curve a frame, the first after the warm-up
+	 * @throws UserException if the time step is too long for the filament, so that the solution is
+	 *           none
 	 */
 	public Trajectory run(final Progress progress) {
 		final Schedule schedule = parameters.schedule();
@@ -69,6 +75,10 @@ public final class FilamentSimulator {
 	void step() {
 		motors.step(chain, parameters.schedule().step(), noise);
 		mechanics.step(chain, motors.bound(), noise);
+		if (!(chain.worstStrain() < TORN))
+			throw new UserException("time_step " + parameters.schedule().timeStep()
+				+ " s is too long for this filament: its links do not keep their length any more; "
+				+ "choose a shorter one, a longer link, or a longer persistence_length.");
 	}
 
 	/** @return the filament as it is now, in µm */

@@ -1,5 +1,7 @@
 package io.github.knotresolver.simulate;
 
+import io.github.knotresolver.model.UserException;
+
 /**
  * How long, how often and how finely.
  *
@@ -14,11 +16,18 @@ public record Schedule(double duration, int frames, double timeStep, double warm
 	/** Five minutes in 120 frames, as published. */
 	public static final Schedule PUBLISHED = new Schedule(300, 120, 0.005, 0);
 
+	/** Days of work. */
+	private static final double MOST_STEPS = 1e9;
+
 	public Schedule {
 		Require.within("duration", duration, 0.001, 1e5, "s");
 		Require.within("frames", frames, 2, 10_000);
 		Require.within("time_step", timeStep, 1e-5, 0.1, "s");
 		Require.within("warm_up", warmUp, 0, 1e5, "s");
+		if ((duration + warmUp) / timeStep > MOST_STEPS)
+			throw new UserException("time_step " + timeStep + " s makes more than "
+				+ (long) MOST_STEPS + " steps of " + (duration + warmUp)
+				+ " s; choose a longer one, or a shorter duration and warm_up.");
 	}
 
 	/** @return time between frames in s: duration / frames */
