@@ -11,6 +11,7 @@ import io.github.knotresolver.io.FailureLog;
 import io.github.knotresolver.io.ProgramVersion;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.OptionText;
+import io.github.knotresolver.progress.Cancellation;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -93,7 +94,7 @@ public final class KnotResolverMain implements Runnable {
 		line.setExecutionStrategy(parsed -> {
 			FailureLog.PROCESS.echo(program.debug ? err::println : trace -> {
 			});
-			return new CommandLine.RunLast().execute(parsed);
+			return Cancellation.during(progress, () -> new CommandLine.RunLast().execute(parsed));
 		});
 		try {
 			return line.execute(args);

@@ -12,6 +12,7 @@ import ij.IJ;
 import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.io.Failure;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.progress.Cancellation;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 
@@ -37,7 +38,10 @@ abstract class KnotCommand extends ContextCommand {
 	public final void run() {
 		try (CommandProgress progress = new CommandProgress(status, this::isCanceled)) {
 			check();
-			work(progress);
+			Cancellation.during(progress, () -> {
+				work(progress);
+				return null;
+			});
 		} catch (final RuntimeException | IOException | Error e) {
 			end(Failure.of(e, MORE_MEMORY));
 		}

@@ -2,6 +2,7 @@
 package io.github.knotresolver.contour;
 
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.progress.Cancellation;
 
 /**
  * Discrete Frechet distance: the shortest leash with which two walkers get from
@@ -26,6 +27,7 @@ public final class DiscreteFrechet {
 		final int m = b.size();
 		final double[] row = new double[m];
 		for (int i = 0; i < a.size(); i++) {
+			Cancellation.check();
 			double diagonal = i == 0 ? 0 : Double.POSITIVE_INFINITY;
 			double left = Double.POSITIVE_INFINITY;
 			for (int j = 0; j < m; j++) {

@@ -2,6 +2,7 @@
 package io.github.knotresolver.contour;
 
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.progress.Cancellation;
 
 /**
  * Dynamic time warping of two curves: D(i,j) = |S(i) - R(j)| + min(D(i-1,j-1),
@@ -44,6 +45,7 @@ public final class DynamicTimeWarping {
 		final int m = bx.length;
 		final double[] row = new double[m];
 		for (int i = 0; i < ax.length; i++) {
+			Cancellation.check();
 			double diagonal = i == 0 ? 0 : Double.POSITIVE_INFINITY;
 			double left = Double.POSITIVE_INFINITY;
 			for (int j = 0; j < m; j++) {

@@ -1,6 +1,7 @@
 package io.github.knotresolver.evaluate;
 
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.progress.Cancellation;
 
 /** Distances from points to the nearest point of a set. */
 final class NearestDistances {
@@ -33,8 +34,10 @@ final class NearestDistances {
 	static double[] of(final double[] fromX, final double[] fromY, final double[] toX,
 		final double[] toY) {
 		final double[] nearest = new double[fromX.length];
-		for (int i = 0; i < nearest.length; i++)
+		for (int i = 0; i < nearest.length; i++) {
+			Cancellation.check();
 			nearest[i] = nearest(fromX[i], fromY[i], toX, toY);
+		}
 		return nearest;
 	}
 

@@ -4,6 +4,7 @@ package io.github.knotresolver.fit;
 import java.util.Optional;
 
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.progress.Cancellation;
 
 /**
  * Fits chains to one frame by damped least squares (Levenberg-Marquardt,
@@ -84,6 +85,7 @@ public final class FilamentFitter {
 			final double before = energy;
 			Chain best = null;
 			for (int attempt = 0; attempt < ATTEMPTS && best == null; attempt++) {
+				Cancellation.check();
 				final Chain trial = step(system, chain, damping, freeLength);
 				final double trialLight = trial == null ? Double.NaN : light(trial, null);
 				final double trialEnergy = trial == null

@@ -8,6 +8,9 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 
+import io.github.knotresolver.progress.Cancellation;
+import io.github.knotresolver.progress.Progress;
+
 /** Does independent work at the same time. */
 final class Together {
 
@@ -44,10 +47,11 @@ final class Together {
 	}
 
 	private static Callable<Void> call(final Task task) {
-		return () -> {
+		final Progress present = Cancellation.present();
+		return () -> Cancellation.during(present, () -> {
 			task.run();
 			return null;
-		};
+		});
 	}
 
 	private static IOException failure(final Throwable cause) {

@@ -11,6 +11,7 @@ import net.imglib2.type.numeric.real.FloatType;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.model.Polarity;
 import io.github.knotresolver.model.Segmentation;
+import io.github.knotresolver.progress.Cancellation;
 
 /** Moves the outline of a mask to where the frame turns dark. */
 public final class ChanVese {
@@ -64,6 +65,7 @@ public final class ChanVese {
 		final SparseField field = new SparseField(Pixels.bits(seed), Pixels.width(frame));
 		RegionMeans means = RegionMeans.of(values, field);
 		for (int i = 0; i < iterations; i++) {
+			Cancellation.check();
 			field.move(steps(field, values, means, contractionBias, smoothFactor));
 			means = RegionMeans.of(values, field);
 		}

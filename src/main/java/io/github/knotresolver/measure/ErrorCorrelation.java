@@ -3,6 +3,8 @@ package io.github.knotresolver.measure;
 
 import java.util.Collection;
 
+import io.github.knotresolver.progress.Cancellation;
+
 /**
  * How alike the errors of points are that lie near each other on a contour.
  * Points of a contour that was traced pixel by pixel err almost independently;
@@ -87,6 +89,7 @@ record ErrorCorrelation(boolean gaussian, double range) {
 			: mismatch(seen, NONE, response);
 		for (double range = kind.shortest; range <= LONGEST * filter.points(); range *= FACTOR)
 			for (final boolean gaussian : kind.shapes) {
+				Cancellation.check();
 				final ErrorCorrelation trial = new ErrorCorrelation(gaussian, range);
 				final double mismatch = mismatch(seen, trial, response);
 				if (mismatch < least) {

@@ -4,6 +4,9 @@ package io.github.knotresolver.measure;
 import java.util.Arrays;
 import java.util.Random;
 
+import io.github.knotresolver.progress.Cancellation;
+import io.github.knotresolver.progress.Progress;
+
 /**
  * Does a peak stand out of noise with memory? The null hypothesis is a
  * first-order autoregressive process with the series' own variance and
@@ -35,8 +38,9 @@ final class RedNoiseTest {
 		final Random random = new Random(SEED);
 		final TimeSeries[] noise = new TimeSeries[SIMULATIONS];
 		Arrays.setAll(noise, i -> simulated(rho, random));
-		final long asHigh = Arrays.stream(noise).parallel()
-			.filter(s -> prominence(s.detrended()) >= observed).count();
+		final Progress present = Cancellation.present();
+		final long asHigh = Arrays.stream(noise).parallel().filter(s -> Cancellation.during(present,
+			() -> prominence(s.detrended()) >= observed)).count();
 		return (asHigh + 1) / (SIMULATIONS + 1.0);
 	}
 

@@ -3,6 +3,8 @@ package io.github.knotresolver.measure;
 
 import java.util.Arrays;
 
+import io.github.knotresolver.progress.Cancellation;
+
 /**
  * Weighted least squares of a cos + b sin + c at many frequencies, prepared for
  * one set of times, so that many series can be fitted quickly.
@@ -29,6 +31,7 @@ final class SineFits {
 		sin = new double[frequencies.length][n];
 		means = new double[frequencies.length][];
 		for (int k = 0; k < frequencies.length; k++) {
+			Cancellation.check();
 			for (int i = 0; i < n; i++) {
 				final double phase = 2 * Math.PI * frequencies[k] * series.time(i);
 				cos[k][i] = Math.cos(phase);
@@ -74,6 +77,7 @@ final class SineFits {
 	double[] amplitudes(final TimeSeries series) {
 		final double[] out = new double[frequencies.length];
 		for (int k = 0; k < out.length; k++) {
+			Cancellation.check();
 			final double[] c = coefficients(series, k);
 			out[k] = Math.hypot(c[0], c[1]);
 		}

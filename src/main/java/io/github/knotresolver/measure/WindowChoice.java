@@ -3,6 +3,8 @@ package io.github.knotresolver.measure;
 
 import java.util.List;
 
+import io.github.knotresolver.progress.Cancellation;
+
 /** Cross-validation of the smoothing's window. */
 final class WindowChoice {
 
@@ -40,6 +42,7 @@ final class WindowChoice {
 		final double narrowest = Math.min(widest, NARROWEST_PX * pixelSize);
 		double best = narrowest, least = Double.POSITIVE_INFINITY;
 		for (double w = narrowest; w <= widest * (1 + 1e-9); w *= STEP) {
+			Cancellation.check();
 			final double error = predictionError(w, gap);
 			if (error > HOPELESS * least)
 				break;
@@ -62,6 +65,7 @@ final class WindowChoice {
 		double sum = 0;
 		int n = 0, next = 0, seen = 0;
 		for (final Samples c : contours) {
+			Cancellation.check();
 			for (; next < seen + c.size(); next += stride) {
 				final double e = error(c, next - seen, window, gap, fit);
 				if (Double.isNaN(e))

@@ -50,10 +50,11 @@ public final class Workers implements AutoCloseable {
 	public <T> List<T> map(final int count, final IntFunction<T> task) {
 		if (executor.isEmpty())
 			return IntStream.range(0, count).mapToObj(task).toList();
+		final Progress present = Cancellation.present();
 		final List<Callable<T>> tasks = new ArrayList<>();
 		for (int i = 0; i < count; i++) {
 			final int index = i;
-			tasks.add(() -> task.apply(index));
+			tasks.add(() -> Cancellation.during(present, () -> task.apply(index)));
 		}
 		return run(tasks, executor.get());
 	}
@@ -74,7 +75,7 @@ public final class Workers implements AutoCloseable {
 		final AtomicInteger done = new AtomicInteger();
 		return map(count, i -> {
 			progress.checkCancelled();
-			final T result = task.apply(i);
+			final T result = Cancellation.during(progress, () -> task.apply(i));
 			progress.report(stage, (double) done.incrementAndGet() / count);
 			return result;
 		});

@@ -10,6 +10,7 @@ import io.github.knotresolver.model.Region;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.progress.Cancellation;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 
@@ -67,10 +68,12 @@ public final class Session {
 		if (part.isPresent())
 			return within(told, progress);
 		try (Workers workers = new Workers(settings.threads())) {
-			if (known.isEmpty())
-				known = Optional
-					.of(SolvedMovie.look(movie, settings, wanted, workers, progress));
-			return known.get().solve(told, workers, progress);
+			return Cancellation.during(progress, () -> {
+				if (known.isEmpty())
+					known = Optional
+						.of(SolvedMovie.look(movie, settings, wanted, workers, progress));
+				return known.get().solve(told, workers, progress);
+			});
 		}
 	}
 

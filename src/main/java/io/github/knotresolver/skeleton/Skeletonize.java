@@ -8,6 +8,7 @@ import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
 
 import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.progress.Cancellation;
 
 /** Thins a mask to its medial line. */
 public final class Skeletonize {
@@ -42,6 +43,7 @@ public final class Skeletonize {
 		int[] pixels = line.pixels();
 		int before;
 		do {
+			Cancellation.check();
 			before = pixels.length;
 			for (final int side : new int[]{NORTH, SOUTH, EAST, WEST})
 				pixels = peel(line, pixels, side);
