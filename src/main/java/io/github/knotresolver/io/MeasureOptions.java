@@ -34,7 +34,7 @@ public final class MeasureOptions {
 			"smoothing_window", "smoothing_order", "persistence_length", "rigidity", "spectra")));
 
 	/** From a floppy chain measured in millimetres to a rod in nanometres. */
-	private static final double SOFTEST = 1e-9, STIFFEST = 1e12;
+	private static final double SOFTEST = 1e-6, STIFFEST = 1e9;
 
 	private final Map<String, String> given;
 

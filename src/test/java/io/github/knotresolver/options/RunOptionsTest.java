@@ -122,6 +122,7 @@ class RunOptionsTest {
 		"channel|0|channel must be a whole number from 1 on, but is '0'.",
 		"frames|0-3|frames must be frames counted from 1, such as 1-40,45, but is '0-3'.",
 		"ignore_frames|7-3|ignore_frames must be frames counted from 1, such as 1-40,45, but is '7-3'.",
+		"frames|1-9999999|frames must be frames of a movie, from 1 to 1000000, but is '1-9999999'.",
 		"frames|99999999999|frames must be frames counted from 1, such as 1-40,45, but is '99999999999'.",
 		"fixed_end|12|fixed_end must be X,Y in pixels, such as 46,90.5, but is '12'.",
 		"fixed_end|1,2,3|fixed_end must be X,Y in pixels, such as 46,90.5, but is '1,2,3'.",
