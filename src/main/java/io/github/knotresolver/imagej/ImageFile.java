@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 
 import ij.ImagePlus;
+import ij.ImageStack;
 import ij.io.FileInfo;
 import ij.io.Opener;
 import ij.plugin.AVI_Reader;
@@ -28,9 +29,8 @@ public final class ImageFile {
 	private static final Set<Integer> IMAGES = Set.of(Opener.DICOM, Opener.TIFF_AND_DICOM,
 		Opener.FITS, Opener.PGM, Opener.JPEG, Opener.GIF, Opener.BMP, Opener.ZIP, Opener.PNG,
 		Opener.AVI);
-	/** Films, and stacks of files that have a palette of their own. */
-	private static final Set<Integer> FILMS = Set.of(Opener.AVI, Opener.GIF),
-		WITH_PALETTE = Set.of(Opener.GIF, Opener.BMP, Opener.PNG);
+	/** Their palettes are no false colours of intensities, but all there is. */
+	private static final Set<Integer> WITH_PALETTE = Set.of(Opener.BMP, Opener.PNG);
 
 	private ImageFile() {
 	}
@@ -110,12 +110,15 @@ public final class ImageFile {
 		final int type = new Opener().getFileType(file.toString());
 		if (!IMAGES.contains(type))
 			throw notAnImage(file, null);
-		final ImagePlus image = byImageJ(file, type);
+		final ImagePlus image = type == Opener.GIF
+			? GifFile.open(file, progress)
+			: byImageJ(file, type);
 		if (image == null)
-			throw notAnImage(file, null);
+			throw notRead(file, null);
+		PictureEnd.require(file, type, image);
 		if (WITH_PALETTE.contains(type))
 			GreyImage.applyPalette(image);
-		if (FILMS.contains(type) && image.getNFrames() == 1)
+		if (type == Opener.AVI && image.getNFrames() == 1)
 			image.setDimensions(1, 1, image.getStackSize());
 		remember(image, file);
 		return image;
@@ -124,14 +127,34 @@ public final class ImageFile {
 	private static ImagePlus byImageJ(final Path file, final int type) {
 		try {
 			if (type == Opener.AVI)
-				return AVI_Reader.open(file.toString(), false);
+				return film(file);
 			final Opener opener = new Opener();
 			opener.setSilentMode(true);
 			return opener.openImage(file.toString());
+		} catch (final UserException e) {
+			throw e;
 		} catch (final RuntimeException e) {
 			// ImageJ's readers fail in many ways at a file that is damaged.
-			throw notAnImage(file, e);
+			throw notRead(file, e);
 		}
+	}
+
+	/** ImageJ's reader gives the frames before an error, and tells of the error if asked. */
+	private static ImagePlus film(final Path file) {
+		final AVI_Reader reader = new AVI_Reader();
+		final ImageStack frames = reader.makeStack(file.toString(), 1, 0, false, false, false);
+		final String error = reader.getErrorText();
+		if (error != null || frames == null || frames.size() == 0)
+			throw new UserException(file + " cannot be read to its end"
+				+ (error == null ? "" : " (" + reason(error) + ")")
+				+ "; copy the file again from its source, or save it as a TIFF stack or as an AVI without compression.");
+		return new ImagePlus(file.getFileName().toString(), frames);
+	}
+
+	/** The line that says what is wrong; the first says only that something is. */
+	private static String reason(final String error) {
+		return error.lines().map(String::strip).filter(l -> !l.isEmpty()).skip(1).findFirst()
+			.orElse(error.strip());
 	}
 
 	private static void requireFile(final Path file) {
@@ -148,6 +171,12 @@ public final class ImageFile {
 		}
 		if (!Files.isRegularFile(file) && !Files.isDirectory(file))
 			throw new UserException(file + " is neither a file nor a folder; name a movie.");
+	}
+
+	private static UserException notRead(final Path file, final Throwable cause) {
+		return new UserException(file
+			+ " is damaged, or of a kind that ImageJ does not read; copy the file again from its source, or save the movie as a TIFF stack.",
+			cause);
 	}
 
 	private static UserException notAnImage(final Path file, final Throwable cause) {

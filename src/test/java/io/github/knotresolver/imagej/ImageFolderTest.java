@@ -9,9 +9,16 @@ import java.awt.image.IndexColorModel;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.concurrent.CountDownLatch;
 
+import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
+import javax.imageio.ImageTypeSpecifier;
+import javax.imageio.ImageWriter;
+import javax.imageio.metadata.IIOMetadata;
+import javax.imageio.metadata.IIOMetadataNode;
+import javax.imageio.stream.ImageOutputStream;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -73,11 +80,78 @@ class ImageFolderTest {
 		assertMovie(ImageFile.open(file), compression == AVI_Writer.JPEG_COMPRESSION ? 80 : 0);
 	}
 
+	/** ImageJ's reader gives back the frames before the cut. */
+	@Test
+	void aviThatIsCutOffIsRefused() throws IOException {
+		final Path file = home.resolve("m.avi");
+		new AVI_Writer().writeImage(image, file.toString(), AVI_Writer.NO_COMPRESSION, 0);
+		final byte[] whole = Files.readAllBytes(file);
+		for (final double part : new double[]{0.98, 0.7, 0.4, 0.05}) {
+			Files.write(file, Arrays.copyOf(whole, (int) (part * whole.length)));
+			final String message = refusal(file);
+			assertTrue(message.contains("cannot be read to its end"), message);
+		}
+	}
+
+	@Test
+	void gifThatIsCutOffIsRefused() throws IOException {
+		final Path file = home.resolve("m.gif");
+		GifWriter.save(image, file.toString());
+		final byte[] whole = Files.readAllBytes(file);
+		for (final double part : new double[]{0.98, 0.7, 0.4, 0.05}) {
+			Files.write(file, Arrays.copyOf(whole, (int) (part * whole.length)));
+			final String message = refusal(file);
+			assertTrue(message.contains("is damaged"), message);
+		}
+	}
+
 	@Test
 	void gifIsATimeSeries() {
 		final Path file = home.resolve("m.gif");
 		GifWriter.save(image, file.toString());
 		assertMovie(ImageFile.open(file), 0);
+	}
+
+	/** Each frame holds only a part, with a palette of its own, as many programs write them. */
+	@Test
+	void gifOfWhatChangedIsPutTogether() throws IOException {
+		final Path file = home.resolve("m.gif");
+		final ImageWriter writer = ImageIO.getImageWritersByFormatName("gif").next();
+		try (ImageOutputStream out = ImageIO.createImageOutputStream(file.toFile())) {
+			writer.setOutput(out);
+			writer.prepareWriteSequence(null);
+			for (int t = 1; t <= FRAMES; t++)
+				writePart(writer, t, t == 1 ? 0 : 7);
+			writer.endWriteSequence();
+		}
+		for (int t = 2; t <= FRAMES; t++)
+			for (int y = 0; y < image.getHeight(); y++)
+				for (int x = 0; x < 7; x++)
+					image.getStack().getProcessor(t).set(x, y,
+						image.getStack().getProcessor(1).get(x, y));
+		assertMovie(ImageFile.open(file), 0);
+	}
+
+	/** The columns from the left one on, in a palette that is turned by the frame's number. */
+	private void writePart(final ImageWriter writer, final int t, final int left)
+		throws IOException {
+		final byte[] turned = new byte[256];
+		for (int i = 0; i < 256; i++)
+			turned[i] = (byte) (i + 31 * t);
+		final BufferedImage part = new BufferedImage(image.getWidth() - left, image.getHeight(),
+			BufferedImage.TYPE_BYTE_INDEXED, new IndexColorModel(8, 256, turned, turned, turned));
+		for (int y = 0; y < image.getHeight(); y++)
+			for (int x = left; x < image.getWidth(); x++)
+				part.getRaster().setSample(x - left, y, 0,
+					image.getStack().getProcessor(t).get(x, y) - 31 * t & 0xff);
+		final IIOMetadata metadata = writer
+			.getDefaultImageMetadata(new ImageTypeSpecifier(part), null);
+		final IIOMetadataNode root = (IIOMetadataNode) metadata
+			.getAsTree("javax_imageio_gif_image_1.0");
+		((IIOMetadataNode) root.getElementsByTagName("ImageDescriptor").item(0))
+			.setAttribute("imageLeftPosition", "" + left);
+		metadata.setFromTree("javax_imageio_gif_image_1.0", root);
+		writer.writeToSequence(new IIOImage(part, null, metadata), null);
 	}
 
 	private void assertMovie(final ImagePlus opened, final double tolerance) {
@@ -106,6 +180,27 @@ class ImageFolderTest {
 			ImageIO.write(picture, "png", home.resolve("t" + t + ".png").toFile());
 		}
 		assertMovie(ImageFile.open(home), 0);
+	}
+
+	/** Readers fill up what is missing. */
+	@ParameterizedTest
+	@ValueSource(strings = {"png", "jpg", "pgm", "bmp"})
+	void pictureThatIsCutOffIsRefused(final String ending) throws IOException {
+		final Path file = home.resolve("t1." + ending);
+		final FileSaver saver = new FileSaver(new ImagePlus("frame", image.getProcessor()));
+		assertTrue(switch (ending) {
+			case "png" -> saver.saveAsPng(file.toString());
+			case "jpg" -> saver.saveAsJpeg(file.toString());
+			case "pgm" -> saver.saveAsPgm(file.toString());
+			default -> saver.saveAsBmp(file.toString());
+		});
+		final byte[] whole = Files.readAllBytes(file);
+		assertEquals(image.getWidth(), ImageFile.open(file).getWidth());
+		for (final double part : new double[]{0.9, 0.7, 0.4}) {
+			Files.write(file, Arrays.copyOf(whole, (int) (part * whole.length)));
+			final String message = refusal(file);
+			assertTrue(message.contains("damaged") || message.contains("cut off"), message);
+		}
 	}
 
 	@Test
