@@ -5,17 +5,16 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
 
-import io.github.knotresolver.evaluate.Evaluation;
 import io.github.knotresolver.evaluate.like.LikeResult;
 import io.github.knotresolver.evaluate.like.LikeStudy;
 import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.imagej.LikeFolder;
 import io.github.knotresolver.imagej.LikeRun;
 import io.github.knotresolver.imagej.ScoreFiles;
-import io.github.knotresolver.io.EvaluationReport;
 import io.github.knotresolver.io.LikeReport;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
+import io.github.knotresolver.io.Scores;
 import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
@@ -99,21 +98,20 @@ final class EvaluateSubcommand implements Callable<Integer> {
 
 	private void againstTruth() throws IOException {
 		if (out == null) {
-			print(EvaluationReport.lines(evaluation()));
+			print(scores().lines());
 			return;
 		}
-		final Evaluation evaluation;
+		final Scores scores;
 		try (ScoreFiles files = Usage.of(spec,
 			() -> ScoreFiles.reserve(out, plots, force, TruthCsv.files(truth, result)))) {
-			evaluation = evaluation();
-			files.write(evaluation, progress);
+			scores = scores();
+			files.write(scores, progress);
 		}
-		print(EvaluationReport.lines(evaluation));
+		print(scores.lines());
 	}
 
-	private Evaluation evaluation() throws IOException {
-		return Usage.of(spec, () -> Evaluation.of(TruthCsv.read("truth", truth),
-			TruthCsv.read("result", result), progress));
+	private Scores scores() throws IOException {
+		return Usage.of(spec, () -> Scores.of(truth, result, progress));
 	}
 
 	private void againstLike() throws IOException {

@@ -10,10 +10,10 @@ import java.util.concurrent.Callable;
 import io.github.knotresolver.imagej.plot.MeasurementFolder;
 import io.github.knotresolver.io.ContourInput;
 import io.github.knotresolver.io.ContoursCsv;
+import io.github.knotresolver.io.FilamentMeasurements;
 import io.github.knotresolver.io.MeasureOptions;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
-import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.progress.Progress;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -78,15 +78,16 @@ final class MeasureSubcommand implements Callable<Integer> {
 		final Path target = out != null
 			? out
 			: Usage.of(spec, () -> MeasurementFolder.beside(input));
-		final MovieMeasurements m;
+		final List<FilamentMeasurements> all;
+		final List<String> notes;
 		try (ResultFolder folder = Usage.of(spec, () -> ResultFolder.reserve(target,
 			ResultKind.MEASUREMENT, force, List.of(input, input.resolve(ContoursCsv.FILE))))) {
-			final ContourInput contours = Usage.of(spec, () -> ContourInput.read(input));
-			m = Usage.of(spec, () -> options().measure(contours, progress));
-			MeasurementFolder.write(m, folder, plots, originalDefinitions ? contours : null,
-				progress);
+			all = Usage.of(spec, () -> FilamentMeasurements.of(ContourInput.readAll(input),
+				options(), progress));
+			notes = MeasurementFolder.write(all, folder, plots, originalDefinitions, progress);
 		}
-		MeasurementFolder.report(m).forEach(spec.commandLine().getOut()::println);
+		MeasurementFolder.report(all).forEach(spec.commandLine().getOut()::println);
+		notes.forEach(spec.commandLine().getErr()::println);
 		spec.commandLine().getOut().println("Written to " + target + ".");
 		return ExitStatus.FINISHED;
 	}

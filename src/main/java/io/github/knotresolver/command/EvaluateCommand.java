@@ -12,7 +12,6 @@ import org.scijava.plugin.Parameter;
 import org.scijava.plugin.Plugin;
 import org.scijava.widget.FileWidget;
 
-import io.github.knotresolver.evaluate.Evaluation;
 import io.github.knotresolver.evaluate.FrameScore;
 import io.github.knotresolver.evaluate.like.LikeResult;
 import io.github.knotresolver.evaluate.like.LikeStudy;
@@ -21,10 +20,11 @@ import io.github.knotresolver.imagej.LikeFolder;
 import io.github.knotresolver.imagej.LikeRun;
 import io.github.knotresolver.imagej.ScoreFiles;
 import io.github.knotresolver.imagej.plot.ScorePlots;
-import io.github.knotresolver.io.EvaluationReport;
 import io.github.knotresolver.io.LikeReport;
+import io.github.knotresolver.io.MeasuredFilament;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
+import io.github.knotresolver.io.Scores;
 import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
@@ -76,17 +76,20 @@ public class EvaluateCommand extends KnotCommand {
 
 	private void againstTruth(final Progress progress) throws IOException {
 		final Path truths = path("truth", truth), results = path("result", result);
-		final Evaluation evaluation;
+		final Scores scores;
 		if (out == null)
-			evaluation = evaluation(truths, results, progress);
+			scores = Scores.of(truths, results, progress);
 		else
 			try (ScoreFiles files = ScoreFiles.reserve(out.toPath(), plots, force,
 				TruthCsv.files(truths, results))) {
-				evaluation = evaluation(truths, results, progress);
-				files.write(evaluation, progress);
+				scores = Scores.of(truths, results, progress);
+				files.write(scores, progress);
 			}
-		show(evaluation.frames(), evaluation.positionErrors());
-		EvaluationReport.lines(evaluation).forEach(this::say);
+		for (int i = 1; i < scores.filaments().size() && table && isShown(); i++)
+			ScorePlots.table(scores.frames().get(i))
+				.show("evaluation-" + MeasuredFilament.number(scores.filaments().get(i).filament()));
+		show(scores.frames(), scores.positionErrors());
+		scores.lines().forEach(this::say);
 	}
 
 	private void againstLike(final Progress progress) throws IOException {
@@ -104,27 +107,27 @@ public class EvaluateCommand extends KnotCommand {
 				scores = study.run(movies, seed, progress);
 				LikeFolder.write(study, scores, folder, plots, progress);
 			}
-		show(scores.movies().get(0).evaluation().frames(), scores.positionErrors());
+		show(List.of(scores.movies().get(0).evaluation().frames()), scores.positionErrors());
 		LikeReport.lines(scores).forEach(this::say);
 	}
 
-	private void show(final List<FrameScore> frames, final double[] errors) {
-		if (GraphicsEnvironment.isHeadless())
+	private static boolean isShown() {
+		return !GraphicsEnvironment.isHeadless();
+	}
+
+	/** Of several filaments, the plots show all frames together. */
+	private void show(final List<List<FrameScore>> filaments, final double[] errors) {
+		if (!isShown())
 			return;
 		if (table)
-			ScorePlots.table(frames).show("evaluation");
+			ScorePlots.table(filaments.get(0)).show("evaluation");
+		final List<FrameScore> frames = filaments.stream().flatMap(List::stream).toList();
 		if (!plots)
 			return;
 		if (errors.length > 0)
 			ScorePlots.positionErrors(errors).show();
 		ScorePlots.dice(frames).show();
 		ScorePlots.frechet(frames).show();
-	}
-
-	private static Evaluation evaluation(final Path truth, final Path result,
-		final Progress progress) {
-		return Evaluation.of(TruthCsv.read("truth", truth), TruthCsv.read("result", result),
-			progress);
 	}
 
 	private LikeStudy study(final Path original, final Progress progress) {

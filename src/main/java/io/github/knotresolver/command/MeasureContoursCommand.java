@@ -21,6 +21,7 @@ import io.github.knotresolver.imagej.plot.LivePlots;
 import io.github.knotresolver.imagej.plot.MeasurementFolder;
 import io.github.knotresolver.io.ContourInput;
 import io.github.knotresolver.io.ContoursCsv;
+import io.github.knotresolver.io.FilamentMeasurements;
 import io.github.knotresolver.io.MeasureOptions;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
@@ -79,21 +80,20 @@ public class MeasureContoursCommand extends KnotCommand {
 
 	@Override
 	void work(final Progress progress) throws IOException {
-		final MovieMeasurements m;
+		final List<FilamentMeasurements> all;
 		if (out == null)
-			m = measure(contours(), progress);
+			all = measure(progress);
 		else
 			try (ResultFolder folder = ResultFolder.reserve(out.toPath(), ResultKind.MEASUREMENT,
 				force, inputs())) {
-				final ContourInput contours = contours();
-				m = measure(contours, progress);
-				MeasurementFolder.write(m, folder, plots, original_definitions ? contours : null,
-					progress);
+				all = measure(progress);
+				MeasurementFolder.write(all, folder, plots, original_definitions, progress)
+					.forEach(this::say);
 			}
 		progress.checkCancelled();
 		if (show && !GraphicsEnvironment.isHeadless())
-			show(m);
-		MeasurementFolder.report(m).forEach(this::say);
+			all.forEach(f -> show(f.measurements()));
+		MeasurementFolder.report(all).forEach(this::say);
 	}
 
 	private List<Path> inputs() {
@@ -102,15 +102,15 @@ public class MeasureContoursCommand extends KnotCommand {
 			: List.of(result.toPath(), result.toPath().resolve(ContoursCsv.FILE));
 	}
 
-	private MovieMeasurements measure(final ContourInput contours, final Progress progress) {
+	private List<FilamentMeasurements> measure(final Progress progress) {
 		final Map<String, String> texts = Form.of(this).texts();
 		texts.keySet().retainAll(MeasureOptions.KEYS);
-		return MeasureOptions.parse(texts).measure(contours, progress);
+		return FilamentMeasurements.of(contours(), MeasureOptions.parse(texts), progress);
 	}
 
-	private ContourInput contours() {
+	private List<ContourInput> contours() {
 		if (result != null)
-			return ContourInput.read(result.toPath());
+			return ContourInput.readAll(result.toPath());
 		// Without a display there is no ROI Manager; in a batch macro it is another one.
 		final RoiManager manager = GraphicsEnvironment.isHeadless()
 			? RoiManager.getRawInstance()

@@ -4,7 +4,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 import ij.ImagePlus;
 import ij.gui.Roi;
@@ -12,11 +15,15 @@ import ij.plugin.frame.RoiManager;
 import ij.process.FloatPolygon;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.io.ContourInput;
+import io.github.knotresolver.io.MeasuredFilament;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 
 /** The polylines of the ROI Manager as contours, each of the frame it stands on. */
 public final class RoiContours {
+
+	private static final Pattern SEVERAL = Pattern
+		.compile(RoiConverter.PREFIX + "(\\d{1,6})-\\d+");
 
 	private RoiContours() {
 	}
@@ -25,24 +32,41 @@ public final class RoiContours {
 	 * @param manager the ROI Manager; may be null
 	 * @param image where the polylines belong: gives name, calibration and the
 	 *          number of frames; may be null
-	 * @return the contours
+	 * @return the contours of every filament, at least one
 	 * @throws UserException if there are none, or two on one frame; in
 	 *           one sentence
 	 */
-	public static ContourInput read(final RoiManager manager, final ImagePlus image) {
-		final TreeMap<Integer, Polyline> contours = new TreeMap<>();
+	public static List<ContourInput> read(final RoiManager manager, final ImagePlus image) {
+		final SortedMap<Integer, TreeMap<Integer, Polyline>> filaments = new TreeMap<>();
 		for (final Roi roi : manager == null ? new Roi[0] : manager.getRoisAsArray())
 			if (isLine(roi))
-				add(contours, roi, frame(roi, image));
-		if (contours.isEmpty())
+				add(filaments.computeIfAbsent(filament(roi), k -> new TreeMap<>()), roi,
+					frame(roi, image));
+		if (filaments.isEmpty())
 			throw new UserException(
 				"There is no polyline in the ROI Manager; resolve a movie first, or name a result with result=FOLDER.");
+		final String name = image == null ? "contours" : image.getTitle();
+		final Calibration units = image == null ? Calibration.NONE : ImageCalibration.of(image);
+		final List<ContourInput> all = new ArrayList<>();
+		filaments.forEach((number, contours) -> all.add(new ContourInput(
+			filaments.size() == 1 ? name : name + "-" + MeasuredFilament.number(number),
+			all(contours, image), units, 0, number)));
+		return all;
+	}
+
+	private static List<Optional<Polyline>> all(final TreeMap<Integer, Polyline> contours,
+		final ImagePlus image) {
 		final int frames = Math.max(contours.lastKey(), image == null ? 0 : frames(image));
 		final List<Optional<Polyline>> all = new ArrayList<>();
 		for (int frame = 1; frame <= frames; frame++)
 			all.add(Optional.ofNullable(contours.get(frame)));
-		return new ContourInput(image == null ? "contours" : image.getTitle(), all,
-			image == null ? Calibration.NONE : ImageCalibration.of(image), 0);
+		return all;
+	}
+
+	/** ROIs of several filaments have two numbers in their names. */
+	private static int filament(final Roi roi) {
+		final Matcher name = SEVERAL.matcher(roi.getName() == null ? "" : roi.getName());
+		return name.matches() ? Integer.parseInt(name.group(1)) : 1;
 	}
 
 	private static boolean isLine(final Roi roi) {

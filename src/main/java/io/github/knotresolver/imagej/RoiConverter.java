@@ -96,13 +96,15 @@ public final class RoiConverter {
 	 * @return a sub-pixel polyline with name and position
 	 */
 	Roi roi(final Polyline contour, final int frame, final int filament) {
-		final Roi roi = polyline(contour);
 		final String number = String.format(Locale.ROOT, "%0" + digits + "d", frame);
+		final PolygonRoi line = polyline(contour);
+		final Roi roi = filament == 0
+			? line
+			: new GroupedLine(line, (filament - 1) % MOST_GROUPS + 1);
 		if (filament == 0)
 			roi.setName(PREFIX + number);
 		else {
 			roi.setName(PREFIX + MeasuredFilament.number(filament) + "-" + number);
-			roi.setGroup((filament - 1) % MOST_GROUPS + 1);
 			roi.setStrokeColor(Palette.ofFilament(filament));
 		}
 		place.set(roi, frame);
@@ -113,7 +115,7 @@ public final class RoiConverter {
 	 * @param contour a contour in pixels
 	 * @return a sub-pixel polyline without name and position
 	 */
-	public static Roi polyline(final Polyline contour) {
+	public static PolygonRoi polyline(final Polyline contour) {
 		final float[] x = new float[contour.size()], y = new float[contour.size()];
 		for (int i = 0; i < x.length; i++) {
 			x[i] = (float) contour.x(i);

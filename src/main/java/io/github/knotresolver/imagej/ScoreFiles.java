@@ -5,10 +5,10 @@ import java.nio.file.Path;
 import java.util.Collection;
 import java.util.List;
 
-import io.github.knotresolver.evaluate.Evaluation;
 import io.github.knotresolver.imagej.plot.ScoreFigures;
 import io.github.knotresolver.io.EvaluationCsv;
 import io.github.knotresolver.io.OutputFiles;
+import io.github.knotresolver.io.Scores;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
@@ -52,15 +52,15 @@ public final class ScoreFiles implements AutoCloseable {
 	}
 
 	/**
-	 * @param evaluation the scores
+	 * @param scores of one filament, or of several
 	 * @param progress may cancel; nothing is written then
 	 * @throws IOException if the files cannot be written
 	 */
-	public void write(final Evaluation evaluation, final Progress progress) throws IOException {
-		EvaluationCsv.write(files.path().resolve(name), evaluation);
+	public void write(final Scores scores, final Progress progress) throws IOException {
+		EvaluationCsv.write(files.path().resolve(name), scores.filaments());
 		if (plots)
-			ScoreFigures.write(files.path(), prefix, List.of(evaluation.frames()),
-				evaluation.positionErrors(), progress);
+			ScoreFigures.write(files.path(), prefix, scores.frames(), scores.positionErrors(),
+				progress);
 		files.commit(name);
 	}
 

@@ -37,9 +37,10 @@ import com.google.gson.JsonParser;
  *          frames
  * @param lengthErrorPx standard error of the length that all contours have in
  *          common, in pixels; 0 if it is not known
+ * @param filament number of the filament
  */
 public record ContourInput(String name, List<Optional<Polyline>> contours, Calibration calibration,
-	double lengthErrorPx) {
+	double lengthErrorPx, int filament) {
 
 	private static final int MOST_FRAMES = 1_000_000;
 
@@ -47,41 +48,80 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 		contours = List.copyOf(contours);
 	}
 
+	/** Contours of the only filament. */
+	public ContourInput(final String name, final List<Optional<Polyline>> contours,
+		final Calibration calibration, final double lengthErrorPx) {
+		this(name, contours, calibration, lengthErrorPx, 1);
+	}
+
+	/**
+	 * @param path a result folder or a CSV file of one filament
+	 * @return its contours
+	 * @throws UserException if there are none, a file is not what it should be, or there
+	 *           are several filaments, in one sentence
+	 */
+	public static ContourInput read(final Path path) {
+		final List<ContourInput> all = readAll(path);
+		if (all.size() > 1)
+			throw new UserException(path + " has " + all.size()
+				+ " filaments, but one is needed here; resolve the movie with fixed_end or region.");
+		return all.get(0);
+	}
+
 	/**
 	 * @param path a result folder or a CSV file
-	 * @return its contours
+	 * @return the contours of every filament, at least one, rising by their numbers
 	 * @throws UserException if there are none, or a file is not what it
 	 *           should be, in one sentence
 	 */
-	public static ContourInput read(final Path path) {
+	public static List<ContourInput> readAll(final Path path) {
 		if (Files.isDirectory(path))
 			return folder(path);
 		final List<CsvRow> records = CsvFile.read(path);
 		if (records.isEmpty())
 			throw new UserException(
 				path + " is empty; give a result folder, a contours.csv or an MTdata.csv.");
-		final boolean original = OptionText.isNumber(records.get(0).number(0));
-		final SortedMap<Integer, Polyline> contours = original
-			? original(path, records)
-			: ContoursCsv.read(path);
-		return new ContourInput(stem(path), frames(path, contours, 0),
-			original ? Calibration.NONE : unit(path, records), 0);
+		if (OptionText.isNumber(records.get(0).number(0)))
+			return List.of(new ContourInput(stem(path), frames(path, original(path, records), 0),
+				Calibration.NONE, 0));
+		return all(stem(path), ContoursCsv.readFilaments(path), path, 0).stream()
+			.map(c -> c.with(unit(path, records), 0)).toList();
 	}
 
-	private static ContourInput folder(final Path folder) {
+	private static List<ContourInput> folder(final Path folder) {
 		final Path file = folder.resolve(ContoursCsv.FILE);
 		if (!Files.isRegularFile(file))
 			throw new UserException("The folder " + folder + " has no "
 				+ ContoursCsv.FILE + "; give the folder that 'resolve' wrote.");
-		final Path table = folder.resolve(FramesCsv.FILE);
-		final int count = Files.isRegularFile(table) ? CsvFile.read(table).size() - 1 : 0;
-		final String name = folder.toAbsolutePath().normalize().getFileName().toString();
-		final List<Optional<Polyline>> frames = frames(file, ContoursCsv.read(file), count);
 		final Calibration units = unit(file, CsvFile.read(file));
+		final String name = folder.toAbsolutePath().normalize().getFileName().toString();
+		final List<ContourInput> all = all(name, ContoursCsv.readFilaments(file), file,
+			FramesCsv.lastFrame(folder.resolve(FramesCsv.FILE)));
 		final Path json = folder.resolve(ParametersJson.FILE);
 		return Files.isRegularFile(json)
-			? told(name, frames, json, units)
-			: new ContourInput(name, frames, units, 0);
+			? told(all, json, units)
+			: all.stream().map(c -> c.with(units, 0)).toList();
+	}
+
+	/** All filaments, without units; those of several have their number in their name. */
+	private static List<ContourInput> all(final String name,
+		final SortedMap<Integer, SortedMap<Integer, Polyline>> filaments, final Path file,
+		final int count) {
+		if (filaments.size() < 2)
+			return List.of(new ContourInput(name,
+				frames(file, filaments.isEmpty()
+					? new TreeMap<>()
+					: filaments.get(filaments.firstKey()), count),
+				Calibration.NONE, 0, filaments.isEmpty() ? 1 : filaments.firstKey()));
+		final List<ContourInput> all = new ArrayList<>();
+		filaments.forEach((number, contours) -> all
+			.add(new ContourInput(name + "-" + MeasuredFilament.number(number),
+				frames(file, contours, count), Calibration.NONE, 0, number)));
+		return all;
+	}
+
+	private ContourInput with(final Calibration units, final double errorPx) {
+		return new ContourInput(name, contours, units, errorPx, filament);
 	}
 
 	private static List<Optional<Polyline>> frames(final Path file,
@@ -155,8 +195,8 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 	}
 
 	/** Contours of which {@code parameters.json} tells more. */
-	private static ContourInput told(final String name, final List<Optional<Polyline>> frames,
-		final Path json, final Calibration units) {
+	private static List<ContourInput> told(final List<ContourInput> filaments, final Path json,
+		final Calibration units) {
 		try (Reader reader = Files.newBufferedReader(json, StandardCharsets.UTF_8)) {
 			final JsonObject root = JsonParser.parseReader(reader).getAsJsonObject();
 			// Results keep their options apart, measurements do not.
@@ -168,15 +208,25 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 				: interval.isPresent() ? UnitText.SECOND : Calibration.NONE.timeUnit();
 			final Calibration c = new Calibration(size.orElse(units.pixelSize()), units.unit(),
 				interval.orElse(1.0), time);
-			final double error = root.has("found")
-				? number(root.getAsJsonObject("found"), "length_uncertainty").orElse(0.0)
-				: 0;
-			return new ContourInput(name, frames, c, error / c.pixelSize());
+			return filaments.stream()
+				.map(f -> f.with(c, lengthError(root, f.filament) / c.pixelSize())).toList();
 		} catch (final IOException | JsonParseException | IllegalStateException | ClassCastException
 			| IllegalArgumentException | UnsupportedOperationException e) {
 			throw new UserException(
 				json + " is damaged; resolve the movie again, or give its contours.csv alone.", e);
 		}
+	}
+
+	/** Of the filament or, in a file that has none, of the movie; 0 if it is not told. */
+	private static double lengthError(final JsonObject root, final int filament) {
+		if (!root.has("found"))
+			return 0;
+		final JsonObject found = root.getAsJsonObject("found");
+		if (found.has("filaments"))
+			for (final JsonElement one : found.getAsJsonArray("filaments"))
+				if (one.getAsJsonObject().get("filament").getAsInt() == filament)
+					return number(one.getAsJsonObject(), "length_uncertainty").orElse(0.0);
+		return number(found, "length_uncertainty").orElse(0.0);
 	}
 
 	private static Optional<Double> number(final JsonObject options, final String key) {

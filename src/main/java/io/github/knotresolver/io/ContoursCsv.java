@@ -8,7 +8,6 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
@@ -80,24 +79,55 @@ public final class ContoursCsv {
 	}
 
 	/**
-	 * Reads contours: this program's own file, or one with the columns
+	 * Reads contours of one filament: this program's own file, or one with the columns
 	 * {@code frame,index,x_px,y_px} that a user made.
 	 *
 	 * @param file the file
 	 * @return the contours in pixels, by 1-based frame
-	 * @throws UserException if it is not such a file; the sentence
-	 *           names the line
+	 * @throws UserException if it is not such a file, or has several filaments; the
+	 *           sentence names the line
 	 */
 	public static SortedMap<Integer, Polyline> read(final Path file) {
+		final SortedMap<Integer, SortedMap<Integer, Polyline>> filaments = readFilaments(file);
+		if (filaments.size() > 1)
+			throw new UserException(file + " has contours of " + filaments.size()
+				+ " filaments, but those of one are needed here; keep the rows of one.");
+		return filaments.isEmpty() ? new TreeMap<>() : filaments.get(filaments.firstKey());
+	}
+
+	/**
+	 * Reads contours of any number of filaments. A file without the column
+	 * {@code filament} is of filament 1.
+	 *
+	 * @param file the file
+	 * @return the contours in pixels, by the filament's number and the 1-based frame
+	 * @throws UserException if it is not such a file; the sentence names the line
+	 */
+	public static SortedMap<Integer, SortedMap<Integer, Polyline>> readFilaments(
+		final Path file) {
 		final List<CsvRow> records = CsvFile.read(file);
 		final int[] columns = columns(file, records);
-		final SortedMap<Integer, SortedMap<Integer, Point>> frames = new TreeMap<>();
+		final int filament = records.get(0).cells().stream().map(h -> h.toLowerCase(Locale.ROOT))
+			.toList().indexOf(FILAMENT);
+		final SortedMap<Integer, SortedMap<Integer, SortedMap<Integer, Point>>> points = new TreeMap<>();
 		for (final CsvRow record : records.subList(1, records.size()))
-			addPoint(file, record, columns, frames);
-		final SortedMap<Integer, Polyline> contours = new TreeMap<>();
-		for (final Map.Entry<Integer, SortedMap<Integer, Point>> frame : frames.entrySet())
-			contours.put(frame.getKey(), Polyline.of(new ArrayList<>(frame.getValue().values())));
+			addPoint(file, record, columns,
+				points.computeIfAbsent(filament(file, record, filament), k -> new TreeMap<>()));
+		final SortedMap<Integer, SortedMap<Integer, Polyline>> contours = new TreeMap<>();
+		points.forEach((number, frames) -> {
+			final SortedMap<Integer, Polyline> own = new TreeMap<>();
+			frames.forEach((frame, line) -> own.put(frame,
+				Polyline.of(new ArrayList<>(line.values()))));
+			contours.put(number, own);
+		});
 		return contours;
+	}
+
+	private static int filament(final Path file, final CsvRow record, final int column) {
+		return column < 0 || record.size() <= column || record.get(column).isEmpty()
+			? 1
+			: OptionText.wholeNumber(file.getFileName() + ", line " + record.line() + ": "
+				+ FILAMENT, record.number(column), 1);
 	}
 
 	/** A place in a picture; what is larger was mistyped, and would be measured for hours. */

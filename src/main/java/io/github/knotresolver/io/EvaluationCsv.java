@@ -6,11 +6,14 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalInt;
 
 import org.apache.commons.csv.CSVPrinter;
 
 import io.github.knotresolver.evaluate.CurveScore;
 import io.github.knotresolver.evaluate.Evaluation;
+import io.github.knotresolver.evaluate.FilamentScore;
 import io.github.knotresolver.evaluate.FrameScore;
 
 /**
@@ -20,7 +23,8 @@ import io.github.knotresolver.evaluate.FrameScore;
 public final class EvaluationCsv {
 
 	private static final String[] HEADER = {"frame", "present", "crossings", "resolved", "dice",
-		"tp", "fp", "fn", "frechet_px", "frechet_rev_px", "err_px", "miss_px", "len_err_pct"};
+		"tp", "fp", "fn", "frechet_px", "frechet_rev_px", "err_px", "miss_px", "len_err_pct",
+		ContoursCsv.FILAMENT, "result_filament"};
 
 	private EvaluationCsv() {
 	}
@@ -31,15 +35,32 @@ public final class EvaluationCsv {
 	 * @throws IOException if the disk says no
 	 */
 	public static void write(final Path file, final Evaluation evaluation) throws IOException {
+		write(file, List.of(new FilamentScore(1, OptionalInt.of(1), false, evaluation)));
+	}
+
+	/**
+	 * @param file the file to write
+	 * @param filaments the scores of the true filaments, one after the other
+	 * @throws IOException if the file cannot be written
+	 */
+	public static void write(final Path file, final List<FilamentScore> filaments)
+		throws IOException {
 		try (CSVPrinter csv = CsvFile.create(file, HEADER)) {
-			for (final FrameScore f : evaluation.frames()) {
+			for (final FilamentScore filament : filaments)
+				writeRows(csv, filament);
+		}
+	}
+
+	private static void writeRows(final CSVPrinter csv, final FilamentScore filament)
+		throws IOException {
+			for (final FrameScore f : filament.evaluation().frames()) {
 				final CurveScore s = f.score();
 				csv.printRecord(f.frame(), f.present() ? 1 : 0, f.crossings(),
 					s.isResolved() ? 1 : 0, number(s.dice()), s.truePositives(), s.falsePositives(),
 					s.falseNegatives(), number(s.frechet()), number(s.frechetReversed()),
-					number(s.error()), number(s.miss()), number(s.lengthError()));
+					number(s.error()), number(s.miss()), number(s.lengthError()), filament.filament(),
+					filament.isGiven() ? filament.result().getAsInt() : "");
 			}
-		}
 	}
 
 	/**

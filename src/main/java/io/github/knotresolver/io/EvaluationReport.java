@@ -7,6 +7,8 @@ import java.util.Locale;
 import io.github.knotresolver.evaluate.ErrorHistogram;
 import io.github.knotresolver.evaluate.Evaluation;
 import io.github.knotresolver.evaluate.EvaluationSummary;
+import io.github.knotresolver.evaluate.FilamentScore;
+import io.github.knotresolver.evaluate.SceneEvaluation;
 
 /** An evaluation in a few lines, for people. */
 public final class EvaluationReport {
@@ -42,6 +44,34 @@ public final class EvaluationReport {
 		report.line("truth missed by, mean", "%.3f px", s.meanMiss());
 		report.line("length error, median", "%.2f %%", s.medianAbsoluteLengthError());
 		s.firstUnresolvedFrame().ifPresent(f -> report.line("first unresolved frame", "%.0f", f));
+		return List.copyOf(report.lines);
+	}
+
+	/**
+	 * @param scene an evaluation of several filaments
+	 * @return a few lines; figures that there are not are left out
+	 */
+	public static List<String> lines(final SceneEvaluation scene) {
+		final EvaluationReport report = new EvaluationReport();
+		report.line("filaments", "%.0f", scene.filaments().size());
+		report.line("filaments of the result", "%.0f", scene.resultFilaments());
+		report.line("filament-frames", "%.0f", scene.frames());
+		report.line("  with crossings", "%.0f", scene.crossingFrames());
+		report.line("resolved (Frechet < 5 px)", "%.2f %%", scene.percentResolved());
+		report.line("  of those with crossings", "%.2f %%", scene.percentResolvedCrossing());
+		report.line("found, by any filament", "%.2f %%", scene.percentFound());
+		report.line("identity switches", "%.0f", scene.switches());
+		report.line("false contours", "%.2f %%", scene.percentFalse());
+		report.line("  and sure (> 0.9)", "%.2f %%", scene.percentSilent());
+		report.line("filaments the right way", "%.0f %%", scene.percentRightWay());
+		report.line("position error of resolved", "%.3f px", scene.meanErrorResolved());
+		for (final FilamentScore f : scene.filaments())
+			report.lines.add(String.format(Locale.ROOT, "  filament %d: %s", f.filament(),
+				f.isGiven()
+					? String.format(Locale.ROOT, "filament %d of the result%s, resolved %.1f %%",
+						f.result().getAsInt(), f.reversed() ? ", reversed" : "",
+						f.evaluation().summary().percentResolved())
+					: "not found"));
 		return List.copyOf(report.lines);
 	}
 

@@ -34,7 +34,8 @@ import io.github.knotresolver.measure.TravellingWave;
  * {@code frames.csv} one row a frame, {@code crossings.csv} one row a crossing,
  * {@code oscillations.csv} one row a quantity, {@code spectra.csv} one row a
  * quantity and frequency, {@code waves.csv} one row a field; {@code parameters.json} holds what they were made with. Columns that
- * end in {@code _se} are standard errors; what is missing is empty.
+ * end in {@code _se} are standard errors; the last one, {@code filament}, is the
+ * filament's number; what is missing is empty.
  */
 public final class MeasurementTables {
 
@@ -42,11 +43,32 @@ public final class MeasurementTables {
 	private static final List<Quantity> OSCILLATING = List.of(Quantity.TIP_ANGLE,
 		Quantity.END_TO_END, Quantity.BENDING_ENERGY);
 
-	private final MovieMeasurements movie;
+	/** Writes the rows of one filament. */
+	@FunctionalInterface
+	private interface Rows {
 
-	/** @param movie the measurements */
-	public MeasurementTables(final MovieMeasurements movie) {
-		this.movie = movie;
+		void write(Table table, MovieMeasurements movie) throws IOException;
+	}
+
+	/** A table whose rows end with the filament's number. */
+	private record Table(CSVPrinter csv, int filament) {
+
+		void print(final Object... cells) throws IOException {
+			print(List.of(cells));
+		}
+
+		void print(final List<Object> cells) throws IOException {
+			final List<Object> row = new ArrayList<>(cells);
+			row.add(filament);
+			csv.printRecord(row);
+		}
+	}
+
+	private final List<FilamentMeasurements> filaments;
+
+	/** @param filaments the measurements of every filament, at least one */
+	public MeasurementTables(final List<FilamentMeasurements> filaments) {
+		this.filaments = List.copyOf(filaments);
 	}
 
 	/**
@@ -65,24 +87,38 @@ public final class MeasurementTables {
 		writeParameters(folder.resolve(ParametersJson.FILE));
 	}
 
+	private void write(final Path file, final List<String> header, final Rows rows)
+		throws IOException {
+		final List<String> all = new ArrayList<>(header);
+		all.add(ContoursCsv.FILAMENT);
+		try (CSVPrinter csv = CsvFile.create(file, all.toArray(String[]::new))) {
+			for (final FilamentMeasurements f : filaments)
+				rows.write(new Table(csv, f.filament()), f.measurements());
+		}
+	}
+
 	private void writePoints(final Path file) throws IOException {
-		try (CSVPrinter csv = CsvFile.create(file, "frame", "index", "x_px", "y_px", "x", "y",
-			"arc_length", "tangent_angle", "tangent_angle_se", "curvature", "curvature_se",
-			"unit")) {
-			for (final FrameMeasurement f : movie.measured()) {
-				final ContourGeometry g = f.geometry().orElseThrow();
-				final Polyline smooth = g.smoothedPx();
-				final double[][] columns = {g.x(), g.y(), g.arcLength(), f.tangentAngle(),
-					g.noise().tangentAngle(), g.curvature(), g.noise().curvature()};
-				for (int i = 0; i < g.size(); i++) {
-					final List<Object> row = new ArrayList<>(List.of(f.frame(), i,
-						NumberText.pixels(smooth.x(i)), NumberText.pixels(smooth.y(i))));
-					for (final double[] column : columns)
-						row.add(NumberText.significant(column[i]));
-					row.add(movie.calibration().unit());
-					csv.printRecord(row);
-				}
-			}
+		write(file, List.of("frame", "index", "x_px", "y_px", "x", "y", "arc_length",
+			"tangent_angle", "tangent_angle_se", "curvature", "curvature_se", "unit"),
+			(table, movie) -> {
+				for (final FrameMeasurement f : movie.measured())
+					writePoints(table, movie, f);
+			});
+	}
+
+	private static void writePoints(final Table table, final MovieMeasurements movie,
+		final FrameMeasurement f) throws IOException {
+		final ContourGeometry g = f.geometry().orElseThrow();
+		final Polyline smooth = g.smoothedPx();
+		final double[][] columns = {g.x(), g.y(), g.arcLength(), f.tangentAngle(),
+			g.noise().tangentAngle(), g.curvature(), g.noise().curvature()};
+		for (int i = 0; i < g.size(); i++) {
+			final List<Object> row = new ArrayList<>(List.of(f.frame(), i,
+				NumberText.pixels(smooth.x(i)), NumberText.pixels(smooth.y(i))));
+			for (final double[] column : columns)
+				row.add(NumberText.significant(column[i]));
+			row.add(movie.calibration().unit());
+			table.print(row);
 		}
 	}
 
@@ -94,7 +130,7 @@ public final class MeasurementTables {
 				header.add(q.key() + "_se");
 		}
 		header.addAll(List.of("unit", "energy_unit", "time_unit"));
-		try (CSVPrinter csv = CsvFile.create(file, header.toArray(String[]::new))) {
+		write(file, header, (table, movie) -> {
 			final double[] time = movie.times();
 			for (final FrameMeasurement f : movie.frames()) {
 				final List<Object> row = new ArrayList<>(
@@ -106,36 +142,36 @@ public final class MeasurementTables {
 				}
 				row.addAll(List.of(movie.calibration().unit(), movie.unit(Quantity.BENDING_ENERGY),
 					movie.calibration().timeUnit()));
-				csv.printRecord(row);
+				table.print(row);
 			}
-		}
+		});
 	}
 
 	private void writeCrossings(final Path file) throws IOException {
-		try (CSVPrinter csv = CsvFile.create(file, "frame", "x_px", "y_px")) {
+		write(file, List.of("frame", "x_px", "y_px"), (table, movie) -> {
 			for (final FrameMeasurement f : movie.frames())
 				for (final Point p : f.crossings())
-					csv.printRecord(f.frame(), NumberText.pixels(p.x()), NumberText.pixels(p.y()));
-		}
+					table.print(f.frame(), NumberText.pixels(p.x()), NumberText.pixels(p.y()));
+		});
 	}
 
 	private void writeOscillations(final Path file) throws IOException {
-		try (CSVPrinter csv = CsvFile.create(file, "quantity", "dominant_frequency",
-			"dominant_frequency_se", "frequency_unit", "amplitude", "amplitude_unit", "phase",
-			"false_alarm_probability")) {
-			for (final Quantity q : oscillating()) {
-				final Optional<DominantFrequency> d = movie.dominantFrequency(q);
-				if (d.isPresent())
-					csv.printRecord(q.key(), NumberText.significant(d.get().frequency()),
-						NumberText.significant(d.get().standardError()), movie.frequencyUnit(),
-						NumberText.significant(d.get().amplitude()), movie.unit(q),
-						NumberText.significant(d.get().phase()),
-						NumberText.significant(d.get().falseAlarmProbability()));
-			}
-		}
+		write(file, List.of("quantity", "dominant_frequency", "dominant_frequency_se",
+			"frequency_unit", "amplitude", "amplitude_unit", "phase", "false_alarm_probability"),
+			(table, movie) -> {
+				for (final Quantity q : oscillating(movie)) {
+					final Optional<DominantFrequency> d = movie.dominantFrequency(q);
+					if (d.isPresent())
+						table.print(q.key(), NumberText.significant(d.get().frequency()),
+							NumberText.significant(d.get().standardError()),
+							movie.frequencyUnit(), NumberText.significant(d.get().amplitude()),
+							movie.unit(q), NumberText.significant(d.get().phase()),
+							NumberText.significant(d.get().falseAlarmProbability()));
+				}
+			});
 	}
 
-	private Set<Quantity> oscillating() {
+	private static Set<Quantity> oscillating(final MovieMeasurements movie) {
 		final Set<Quantity> all = EnumSet.copyOf(OSCILLATING);
 		all.addAll(movie.spectra());
 		return all;
@@ -143,33 +179,36 @@ public final class MeasurementTables {
 
 	/** Quantities of which too few frames are known have no spectrum. */
 	private void writeSpectra(final Path file) throws IOException {
-		try (CSVPrinter csv = CsvFile.create(file, "quantity", "frequency", "amplitude",
-			"frequency_unit", "amplitude_unit")) {
-			for (final Quantity q : movie.spectra()) {
-				final Spectrum spectrum = movie.spectrum(q);
-				final double[] f = spectrum.frequency(), a = spectrum.amplitude();
-				for (int i = 0; i < f.length; i++)
-					csv.printRecord(q.key(), NumberText.significant(f[i]),
-						NumberText.significant(a[i]), movie.frequencyUnit(), movie.unit(q));
-			}
-		}
+		write(file,
+			List.of("quantity", "frequency", "amplitude", "frequency_unit", "amplitude_unit"),
+			(table, movie) -> {
+				for (final Quantity q : movie.spectra()) {
+					final Spectrum spectrum = movie.spectrum(q);
+					final double[] f = spectrum.frequency(), a = spectrum.amplitude();
+					for (int i = 0; i < f.length; i++)
+						table.print(q.key(), NumberText.significant(f[i]),
+							NumberText.significant(a[i]), movie.frequencyUnit(), movie.unit(q));
+				}
+			});
 	}
 
 	private void writeWaves(final Path file) throws IOException {
-		final Map<String, Kymograph> fields = new LinkedHashMap<>();
-		fields.put("tangent_angle", movie.tangentAngleKymograph());
-		fields.put("curvature", movie.curvatureKymograph());
-		try (CSVPrinter csv = CsvFile.create(file, "field", "frequency", "frequency_unit", "speed",
-			"speed_se", "speed_unit", "wavelength", "amplitude", "place", "coherence", "unit")) {
-			for (final Map.Entry<String, Kymograph> field : fields.entrySet()) {
-				final Optional<TravellingWave> wave = TravellingWave.of(field.getValue());
-				if (wave.isPresent())
-					csv.printRecord(row(field.getKey(), wave.get()));
-			}
-		}
+		write(file, List.of("field", "frequency", "frequency_unit", "speed", "speed_se",
+			"speed_unit", "wavelength", "amplitude", "place", "coherence", "unit"),
+			(table, movie) -> {
+				final Map<String, Kymograph> fields = new LinkedHashMap<>();
+				fields.put("tangent_angle", movie.tangentAngleKymograph());
+				fields.put("curvature", movie.curvatureKymograph());
+				for (final Map.Entry<String, Kymograph> field : fields.entrySet()) {
+					final Optional<TravellingWave> wave = TravellingWave.of(field.getValue());
+					if (wave.isPresent())
+						table.print(row(movie, field.getKey(), wave.get()));
+				}
+			});
 	}
 
-	private List<Object> row(final String field, final TravellingWave w) {
+	private static List<Object> row(final MovieMeasurements movie, final String field,
+		final TravellingWave w) {
 		final String unit = movie.calibration().unit();
 		return List.of(field, NumberText.significant(w.frequency()), movie.frequencyUnit(),
 			NumberText.significant(w.speed()), NumberText.significant(w.speedError()),
@@ -178,7 +217,9 @@ public final class MeasurementTables {
 			NumberText.significant(w.coherence()), unit);
 	}
 
+	/** Figures that each filament has for itself are those of the first, and stand in a list for all. */
 	private void writeParameters(final Path file) throws IOException {
+		final MovieMeasurements movie = filaments.get(0).measurements();
 		final Map<String, Object> json = new LinkedHashMap<>();
 		json.put("program", ProgramVersion.NAME);
 		json.put("version", ProgramVersion.get());
@@ -194,9 +235,19 @@ public final class MeasurementTables {
 		json.put("unit", movie.calibration().unit());
 		json.put("frame_interval", movie.calibration().frameInterval());
 		json.put("time_unit", movie.calibration().timeUnit());
+		json.put("filaments", filaments.stream().map(MeasurementTables::parameters).toList());
 		Files.writeString(file,
 			new GsonBuilder().setPrettyPrinting().disableHtmlEscaping().create().toJson(json)
 				+ "\n",
 			StandardCharsets.UTF_8);
+	}
+
+	private static Map<String, Object> parameters(final FilamentMeasurements f) {
+		final Map<String, Object> json = new LinkedHashMap<>();
+		json.put(ContoursCsv.FILAMENT, f.filament());
+		json.put("measured_frames", f.measurements().measured().size());
+		json.put("smoothing_window", Double
+			.valueOf(NumberText.significant(f.measurements().smoothing().window())));
+		return json;
 	}
 }

@@ -41,6 +41,25 @@ public final class TruthCsv {
 	}
 
 	/**
+	 * Reads contours of any number of filaments that are to be compared.
+	 *
+	 * @param key the option that named the file
+	 * @param file the file, or a folder with a {@code contours.csv}
+	 * @return the contours in pixels, by the filament's number and the 1-based frame
+	 * @throws UserException if it is not such a file; the sentence
+	 *           begins with the key
+	 */
+	public static SortedMap<Integer, SortedMap<Integer, Polyline>> readFilaments(final String key,
+		final Path file) {
+		try {
+			return ContoursCsv
+				.readFilaments(Files.isDirectory(file) ? file.resolve(ContoursCsv.FILE) : file);
+		} catch (final UserException e) {
+			throw new UserException(key + " cannot be used: " + e.getMessage(), e);
+		}
+	}
+
+	/**
 	 * @param given what users name: files, or folders with a {@code contours.csv}
 	 * @return all files that are read
 	 */

@@ -41,7 +41,7 @@ class MeasureSubcommandTest {
 		assertFalse(Files.exists(out.resolve("statsSummary.txt")));
 		final List<String> frames = Files.readAllLines(out.resolve("frames.csv"));
 		assertEquals(13, frames.size());
-		assertTrue(frames.get(1).endsWith("µm,kT,s"), frames.get(1));
+		assertTrue(frames.get(1).endsWith("µm,kT,s,1"), frames.get(1));
 		final String[] second = frames.get(2).split(",");
 		assertEquals(2, Double.parseDouble(second[1]));
 		// A quarter of a circle of 40 px of 0.1 µm.
@@ -98,7 +98,7 @@ class MeasureSubcommandTest {
 		assertTrue(Files.exists(out.resolve("length_spectrum.png")));
 		assertFalse(Files.exists(out.resolve("tip_angle_spectrum.png")));
 		final List<String> rows = Files.readAllLines(out.resolve("spectra.csv"));
-		assertEquals("quantity,frequency,amplitude,frequency_unit,amplitude_unit", rows.get(0));
+		assertEquals("quantity,frequency,amplitude,frequency_unit,amplitude_unit,filament", rows.get(0));
 		assertEquals(List.of("length", "turning_number"),
 			rows.stream().skip(1).map(r -> r.substring(0, r.indexOf(','))).distinct().toList());
 		assertTrue(Files.readString(out.resolve("oscillations.csv")).contains("length,"));

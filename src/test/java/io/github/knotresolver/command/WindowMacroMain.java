@@ -21,7 +21,7 @@ public final class WindowMacroMain {
 	public static String refusal() {
 		try {
 			MeasureOptions.parse(Map.of()).measure(
-				RoiContours.read(RoiManager.getInstance2(), WindowManager.getCurrentImage()),
+				RoiContours.read(RoiManager.getInstance2(), WindowManager.getCurrentImage()).get(0),
 				Progress.NONE);
 			return "nothing is wrong";
 		} catch (final UserException e) {

@@ -3,20 +3,17 @@ package io.github.knotresolver.imagej.plot;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.io.ContourInput;
+import io.github.knotresolver.io.FilamentMeasurements;
+import io.github.knotresolver.io.MeasuredFilament;
 import io.github.knotresolver.io.MeasurementTables;
 import io.github.knotresolver.io.OriginalFiles;
 import io.github.knotresolver.io.OriginalStatistics;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.measure.MovieMeasurements;
-import io.github.knotresolver.measure.OriginalQuantities;
 import io.github.knotresolver.measure.Quantity;
-import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
@@ -43,46 +40,49 @@ public final class MeasurementFolder {
 	}
 
 	/**
-	 * Writes a complete folder or nothing.
+	 * Writes a complete folder or nothing. Tables come first; a figure that cannot be
+	 * drawn is left out.
 	 *
-	 * @param m the measurements
+	 * @param all the measurements of every filament, at least one
 	 * @param folder the reserved folder; committed here
 	 * @param plots whether figures are drawn
-	 * @param original the contours, to be measured by the original tool's
-	 *          definitions too; null for not
+	 * @param original whether to measure by the original tool's definitions, too
 	 * @param progress may cancel; nothing is left then
-	 * @throws IOException if the disk says no
+	 * @return what was left out and why, a sentence or two each
+	 * @throws IOException if a file cannot be written
 	 */
-	public static void write(final MovieMeasurements m, final ResultFolder folder,
-		final boolean plots, final ContourInput original, final Progress progress)
-		throws IOException {
-		new MeasurementTables(m).write(folder.path());
-		if (original != null)
-			OriginalStatistics.write(folder.path().resolve(OriginalFiles.STATISTICS),
-				quantities(original, m.calibration()), m.calibration(), m.frequencyUnit());
-		if (plots)
-			Figures.write(new Pictures(folder.path()), "", m, progress);
+	public static List<String> write(final List<FilamentMeasurements> all,
+		final ResultFolder folder, final boolean plots, final boolean original,
+		final Progress progress) throws IOException {
+		new MeasurementTables(all).write(folder.path());
+		final Pictures pictures = new Pictures(folder.path());
+		for (final FilamentMeasurements f : all) {
+			final String suffix = MeasuredFilament.suffix(f.filament());
+			final MovieMeasurements m = f.measurements();
+			if (original)
+				OriginalStatistics.write(
+					folder.path().resolve(OriginalFiles.STATISTICS.replace(".", suffix + ".")),
+					f.originalQuantities(), m.calibration(), m.frequencyUnit());
+			if (plots)
+				Figures.write(pictures, suffix, m, progress);
+		}
 		progress.checkCancelled();
 		folder.commit();
-	}
-
-	private static OriginalQuantities quantities(final ContourInput input, final Calibration c) {
-		final List<Integer> frames = new ArrayList<>();
-		final List<Polyline> contours = new ArrayList<>();
-		for (int i = 0; i < input.contours().size(); i++) {
-			if (input.contours().get(i).isEmpty())
-				continue;
-			frames.add(i + 1);
-			contours.add(input.contours().get(i).orElseThrow());
-		}
-		return OriginalQuantities.of(frames, contours, c.pixelSize(), c.frameInterval());
+		return pictures.notes();
 	}
 
 	/**
-	 * @param m the measurements
-	 * @return what came of them, in two lines
+	 * @param all the measurements of every filament
+	 * @return what came of them, in two lines each
 	 */
-	public static List<String> report(final MovieMeasurements m) {
+	public static List<String> report(final List<FilamentMeasurements> all) {
+		return all.stream()
+			.flatMap(f -> report(f.measurements()).stream()
+				.map(line -> all.size() > 1 ? "Filament " + f.filament() + ": " + line : line))
+			.toList();
+	}
+
+	private static List<String> report(final MovieMeasurements m) {
 		return List.of(
 			String.format(Locale.ROOT, "%d of %d frames measured; smoothing window %.3g %s.",
 				m.measured().size(), m.frames().size(), m.smoothing().window(),
