@@ -84,8 +84,9 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 		if (OptionText.isNumber(records.get(0).number(0)))
 			return List.of(new ContourInput(stem(path), frames(path, original(path, records), 0),
 				Calibration.NONE, 0));
-		return all(stem(path), ContoursCsv.readFilaments(path), path, 0).stream()
-			.map(c -> c.with(unit(path, records), 0)).toList();
+		final List<ContourInput> all = all(stem(path), ContoursCsv.readFilaments(path), path, 0);
+		final Calibration units = unit(path, records);
+		return all.stream().map(c -> c.with(units, 0)).toList();
 	}
 
 	private static List<ContourInput> folder(final Path folder) {
@@ -93,10 +94,10 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 		if (!Files.isRegularFile(file))
 			throw new UserException("The folder " + folder + " has no "
 				+ ContoursCsv.FILE + "; give the folder that 'resolve' wrote.");
-		final Calibration units = unit(file, CsvFile.read(file));
 		final String name = folder.toAbsolutePath().normalize().getFileName().toString();
 		final List<ContourInput> all = all(name, ContoursCsv.readFilaments(file), file,
 			FramesCsv.lastFrame(folder.resolve(FramesCsv.FILE)));
+		final Calibration units = unit(file, CsvFile.read(file));
 		final Path json = folder.resolve(ParametersJson.FILE);
 		return Files.isRegularFile(json)
 			? told(all, json, units)
