@@ -161,7 +161,7 @@ public final class ResolveOptions {
 			.writes(c -> selection(c.settings().ignoreFrames())),
 
 		option("corrections", Kind.FILE).basic(Section.FRAMES).takes("FILE")
-			.label("Corrections (CSV)").help("Contours that you drew: frame,index,x_px,y_px")
+			.label("Corrections (CSV)").help("What you say of frames: contours, places passed, tips, refusals")
 			.byDefault("none").reads((d, t) -> d.corrections = Optional.of(OptionText.path("corrections", t))),
 
 		option("pixel_size", Kind.TEXT).basic(Section.UNITS).takes("P").label("Pixel size")

@@ -37,6 +37,11 @@ record FitConfidence(double usualMisfit) {
 		return new FitConfidence(misfits.length == 0 ? 1 : misfits[misfits.length / 2]);
 	}
 
+	/** @return whether a fit differs visibly from all of some */
+	static boolean differs(final Fit fit, final List<Fit> others) {
+		return others.stream().allMatch(o -> o.chain().distance(fit.chain()) > VISIBLE);
+	}
+
 	/** How much dearer the movie becomes with a visibly different contour in a frame. */
 	static double gap(final TrellisPath path, final List<Fit> pool, final int frame) {
 		final Fit chosen = pool.get(path.choice()[frame]);

@@ -1,16 +1,19 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.candidate.CandidateSet;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitQuality;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Alternative;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
@@ -29,13 +32,16 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 	List<List<Fit>> pools, List<CandidateSet> sets,
 	BiFunction<Integer, Fit, FitQuality> quality) {
 
+	/** So many other contours of a frame are kept. */
+	private static final int ALTERNATIVES = 4;
+
 	/** Where more than this share of the contour is in the dark, there is no filament. */
 	private static final double LOST = 0.6;
 
 	/** Where more than this share is in the dark, no contour can be trusted. */
 	private static final double UNRESOLVED = 0.3;
 
-		/** @return whether a contour of this quality may be shown */
+	/** @return whether a contour of this quality may be shown */
 	static boolean isTrusted(final FitQuality quality) {
 		return quality.dark() <= UNRESOLVED;
 	}
@@ -89,7 +95,26 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 			said.map(Restriction::met).orElse(Outcome.limitReason(sets.get(t).limited())), Optional.of(contour), junctions(t),
 			pools.get(t).size(), chosen(t, path).energy(),
 			confidence.of(FitConfidence.gap(path, pools.get(t), t), quality.get(),
-				Uncovered.share(frames.get(t).graph(), contour)));
+				Uncovered.share(frames.get(t).graph(), contour)))
+					.withAlternatives(alternatives(t, path));
+	}
+
+	/** The best of the other fits, at the price that the movie would have with them. */
+	private List<Alternative> alternatives(final int t, final TrellisPath path) {
+		final double[] through = path.through()[t];
+		final List<Fit> shown = new ArrayList<>(List.of(chosen(t, path)));
+		final List<Alternative> others = new ArrayList<>();
+		IntStream.range(0, through.length).boxed()
+			.sorted(Comparator.comparingDouble(v -> through[v])).map(v -> v.intValue())
+			.filter(v -> FitConfidence.differs(pools.get(t).get(v), shown)).forEach(v -> {
+				if (others.size() == ALTERNATIVES)
+					return;
+				final Fit fit = pools.get(t).get(v);
+				shown.add(fit);
+				others.add(new Alternative(fit.chain().contour(),
+					chosen(t, path).energy() + Math.max(0, through[v] - path.total())));
+			});
+		return others;
 	}
 
 	private Fit chosen(final int t, final TrellisPath path) {

@@ -17,6 +17,7 @@ import io.github.knotresolver.fit.DrawnMovie;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Alternative;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.Constraint.Kind;
 import io.github.knotresolver.model.FrameStatus;
@@ -119,6 +120,21 @@ class SessionTest {
 		assertNotEquals(Optional.of(shown), other.contour());
 		assertTrue(other.status() == FrameStatus.UNRESOLVED
 			|| other.reason().contains("Another contour"), other.toString());
+	}
+
+	@Test
+	void alternativesAreOthersAndDearer() {
+		int alternatives = 0;
+		for (final Observation o : silent.only().frames()) {
+			double last = o.cost();
+			for (final Alternative a : o.alternatives()) {
+				alternatives++;
+				assertTrue(a.cost() >= last, "frame " + o.frame());
+				assertNotEquals(o.contour(), Optional.of(a.contour()));
+				last = a.cost();
+			}
+		}
+		assertTrue(alternatives > 0);
 	}
 
 	@Test
