@@ -110,9 +110,11 @@ public final class ImageFile {
 		final int type = new Opener().getFileType(file.toString());
 		if (!IMAGES.contains(type))
 			throw notAnImage(file, null);
-		final ImagePlus image = type == Opener.GIF
-			? GifFile.open(file, progress)
-			: byImageJ(file, type);
+		final ImagePlus image = switch (type) {
+			case Opener.GIF -> GifFile.open(file, progress);
+			case Opener.ZIP -> ZippedMovie.open(file, progress);
+			default -> byImageJ(file, type);
+		};
 		if (image == null)
 			throw notRead(file, null);
 		PictureEnd.require(file, type, image);

@@ -12,6 +12,9 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.concurrent.CountDownLatch;
 
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
+
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageTypeSpecifier;
@@ -78,6 +81,24 @@ class ImageFolderTest {
 		final Path file = home.resolve("m.avi");
 		new AVI_Writer().writeImage(image, file.toString(), compression, 95);
 		assertMovie(ImageFile.open(file), compression == AVI_Writer.JPEG_COMPRESSION ? 80 : 0);
+	}
+
+	@Test
+	void zipHoldsOneTiff() throws IOException {
+		final Path file = home.resolve("m.zip");
+		assertTrue(new FileSaver(image).saveAsZip(file.toString()));
+		final ImagePlus opened = ImageFile.open(file);
+		assertMovie(opened, 0);
+		assertEquals("m.zip", opened.getTitle());
+		assertEquals(file.toRealPath(), ImageFile.of(opened).orElseThrow().toRealPath());
+		final byte[] whole = Files.readAllBytes(file);
+		whole[whole.length / 2] ^= 0x55;
+		Files.write(file, whole);
+		assertTrue(refusal(file).contains(file + " is damaged"), refusal(file));
+		try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(file))) {
+			zip.putNextEntry(new ZipEntry("notes.txt"));
+		}
+		assertTrue(refusal(file).contains("holds 0 TIFF files"), refusal(file));
 	}
 
 	/** ImageJ's reader gives back the frames before the cut. */

@@ -9,6 +9,8 @@ import java.awt.Color;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -21,8 +23,14 @@ import ij.gui.ProfilePlot;
 import ij.gui.Roi;
 import ij.process.ColorProcessor;
 import ij.process.FloatProcessor;
+import ij.process.ImageProcessor;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.options.RunOptions;
+import io.github.knotresolver.progress.Progress;
+import net.imglib2.img.array.ArrayImgs;
 
 /** Contours lie where the filament is, in ImageJ's own drawing and profiles. */
 class RoiPlaceTest {
@@ -49,6 +57,22 @@ class RoiPlaceTest {
 		final double[] expected = new double[40];
 		expected[25] = 255;
 		assertArrayEquals(expected, light, 1, Arrays.toString(light));
+	}
+
+	/** Of the overlay's two screen pixels a pixel, those of row 25 are drawn alike. */
+	@Test
+	void pictureOfTheOverlayHasTheLineInTheMiddleOfItsRow() {
+		final Movie movie = new Movie("dark", ArrayImgs.unsignedBytes(60, 50, 2),
+			Calibration.NONE);
+		final Polyline contour = Polyline.of(new double[]{10, 25, 50}, new double[]{25, 25, 25});
+		final ImagePlus overlay = OverlayRenderer.stack(TestImages.tracks(movie,
+			RunOptions.parse(Map.of()).parameters(movie), List.of(contour, contour)),
+			Progress.NONE);
+		assertEquals(100, overlay.getHeight());
+		final ImageProcessor ip = overlay.getStack().getProcessor(1);
+		assertEquals(ip.getPixel(60, 50), ip.getPixel(60, 51));
+		assertEquals(ip.getPixel(60, 49), ip.getPixel(60, 52));
+		assertTrue((ip.getPixel(60, 50) & 0xffffff) != (ip.getPixel(60, 48) & 0xffffff));
 	}
 
 	/** The profile along the contour is brighter than beside it, on both sides alike. */
