@@ -19,7 +19,7 @@ public final class Dilation {
 	 *
 	 * @implNote op names="knotresolver.dilate"
 	 * @param mask any mask
-	 * @param radius in pixels, at least 0: the square's edge is twice that, and one
+	 * @param radius in pixels, at least 0: the edge of the square is twice that, and one
 	 * @return a new mask of the same size
 	 */
 	public static Img<BitType> square(final RandomAccessibleInterval<BitType> mask,
