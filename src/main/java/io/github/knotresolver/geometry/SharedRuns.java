@@ -40,8 +40,7 @@ final class SharedRuns {
 		int n = 0;
 		while (step != 0 && same(i + n + 1, j + step * (n + 1)))
 			n++;
-		final int before = step < 0 ? j + 1 : j - 1,
-			after = step < 0 ? j - n - 1 : j + n + 1;
+		final int before = step < 0 ? j + 1 : j - 1, after = step < 0 ? j - n - 1 : j + n + 1;
 		// Back along itself: the strands are the two sides of one fold.
 		final boolean folds = step <= 0 && j - n - (i + n) <= 2;
 		if (folds || i + n + 1 >= curve.size() || before < 0 || after < 0
@@ -62,18 +61,16 @@ final class SharedRuns {
 	}
 
 	/** Whether the strand that comes in on the left goes out on the right. */
-	private boolean exchanges(final int first, final int last, final int before,
-		final int after) {
-		return turnsLeft(first, first + 1, first - 1, before) == turnsLeft(last, last - 1,
-			last + 1, after);
+	private boolean exchanges(final int first, final int last, final int before, final int after) {
+		return turnsLeft(first, first + 1, first - 1, before) == turnsLeft(last, last - 1, last + 1,
+			after);
 	}
 
 	/**
 	 * Whether, turning around node {@code centre} from {@code from} with growing
 	 * angle, {@code first} comes before {@code second}.
 	 */
-	private boolean turnsLeft(final int centre, final int from, final int first,
-		final int second) {
+	private boolean turnsLeft(final int centre, final int from, final int first, final int second) {
 		final Point o = curve.node(centre), a = curve.node(from);
 		final int half = half(o, a, curve.node(first)), other = half(o, a, curve.node(second));
 		return half != other

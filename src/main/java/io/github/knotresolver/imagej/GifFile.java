@@ -85,8 +85,8 @@ final class GifFile {
 		final int width = number(screen, "logicalScreenWidth"),
 			height = number(screen, "logicalScreenHeight");
 		if ((double) width * height * INT_BYTES > Runtime.getRuntime().maxMemory())
-			throw new UserException("There is not enough memory for " + file
-				+ ": its frames are " + width + " x " + height + "; give Java more.");
+			throw new UserException("There is not enough memory for " + file + ": its frames are "
+				+ width + " x " + height + "; give Java more.");
 		canvas = new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB);
 		final ImageStack stack = new ImageStack(width, height);
 		for (int i = 0; i < count; i++) {
@@ -104,7 +104,8 @@ final class GifFile {
 		final String disposal = control == null ? "none" : text(control, "disposalMethod");
 		final BufferedImage before = disposal.equals("restoreToPrevious") ? copy() : null;
 		final BufferedImage part = reader.read(i);
-		final int left = number(place, "imageLeftPosition"), top = number(place, "imageTopPosition");
+		final int left = number(place, "imageLeftPosition"),
+			top = number(place, "imageTopPosition");
 		final Graphics2D g = canvas.createGraphics();
 		g.drawImage(part, left, top, null);
 		final ColorProcessor shown = opaque();

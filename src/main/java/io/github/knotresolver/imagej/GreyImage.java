@@ -66,7 +66,8 @@ final class GreyImage {
 			return;
 		final byte[] table = new byte[256];
 		for (int i = 0; i < palette.getMapSize(); i++) {
-			if (palette.getRed(i) != palette.getGreen(i) || palette.getGreen(i) != palette.getBlue(i))
+			if (palette.getRed(i) != palette.getGreen(i)
+				|| palette.getGreen(i) != palette.getBlue(i))
 				throw new UserException("'" + image.getTitle()
 					+ "' has a palette of colours, so its numbers are no intensities; convert it with Image > Type > RGB Color and then 8-bit.");
 			table[i] = (byte) palette.getRed(i);

@@ -34,12 +34,12 @@ public final class ImageCalibration {
 		final String unit = UnitText.length(c.getUnit());
 		final boolean sized = !unit.equals(none.unit()) && isPositive(c.pixelWidth);
 		if (sized && Math.abs(c.pixelWidth - c.pixelHeight) > SQUARE * c.pixelWidth)
-			throw new UserException("Pixels must be square, but those of '"
-				+ image.getTitle() + "' are " + c.pixelWidth + " x " + c.pixelHeight + " " + unit
+			throw new UserException("Pixels must be square, but those of '" + image.getTitle()
+				+ "' are " + c.pixelWidth + " x " + c.pixelHeight + " " + unit
 				+ "; rescale the image with Image > Scale.");
 		final boolean timed = isPositive(c.frameInterval);
-		return InputOptions.inSeconds(new Calibration(sized ? c.pixelWidth : none.pixelSize(), sized ? unit : none.unit(),
-			timed ? c.frameInterval : none.frameInterval(),
+		return InputOptions.inSeconds(new Calibration(sized ? c.pixelWidth : none.pixelSize(),
+			sized ? unit : none.unit(), timed ? c.frameInterval : none.frameInterval(),
 			timed ? UnitText.time(c.getTimeUnit()) : none.timeUnit()));
 	}
 

@@ -55,8 +55,8 @@ public final class ImageFile {
 		if (Files.isDirectory(file))
 			return ImageFolder.open(file, progress);
 		try {
-			final QuietImageJ.Outcome<ImagePlus> opened = QuietImageJ.call(() -> read(file, progress),
-				progress);
+			final QuietImageJ.Outcome<ImagePlus> opened = QuietImageJ
+				.call(() -> read(file, progress), progress);
 			requireAll(file, opened.printed());
 			return opened.value();
 		} catch (final OutOfMemoryError e) {

@@ -58,8 +58,8 @@ final class ImageFolder {
 				.map(p -> p.getFileName().toString()).sorted().toArray(String[]::new);
 			return Stream.of(StringSorter.sortNumerically(names)).map(folder::resolve).toList();
 		} catch (final IOException e) {
-			throw new UserException("The folder " + folder + " cannot be read: " + e.getMessage() + ".",
-				e);
+			throw new UserException(
+				"The folder " + folder + " cannot be read: " + e.getMessage() + ".", e);
 		}
 	}
 

@@ -73,8 +73,8 @@ public final class ImageMovie {
 			: alongZ ? image.getNSlices() : image.getNFrames();
 		final List<Object> planes = new ArrayList<>(frames);
 		for (int t = 1; t <= frames; t++) {
-			final int index = image.getStackIndex(alongChannels ? t : options.channel(), alongZ ? t : 1,
-				alongZ || alongChannels ? 1 : t);
+			final int index = image.getStackIndex(alongChannels ? t : options.channel(),
+				alongZ ? t : 1, alongZ || alongChannels ? 1 : t);
 			planes.add(pixels(image.getStack(), index));
 		}
 		return planes;

@@ -27,8 +27,8 @@ final class MovieChecks {
 				+ " is an RGB image, but intensities are needed; convert it with Image > Type > 8-bit, or take one channel with Image > Color > Split Channels.");
 		requireAllFrames(name, image);
 		if (options.channel() > image.getNChannels())
-			throw new UserException("channel must be from 1 to " + image.getNChannels()
-				+ " for " + name + ", but is " + options.channel() + ".");
+			throw new UserException("channel must be from 1 to " + image.getNChannels() + " for "
+				+ name + ", but is " + options.channel() + ".");
 		final int slices = image.getNSlices(), frames = image.getNFrames();
 		if (slices > 1 && frames > 1)
 			throw new UserException(name + " has " + slices + " Z slices and " + frames

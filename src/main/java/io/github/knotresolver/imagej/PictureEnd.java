@@ -26,8 +26,7 @@ final class PictureEnd {
 	 * @throws UserException if its end is missing
 	 * @throws IOException if it cannot be read
 	 */
-	static void require(final Path file, final int type, final ImagePlus image)
-		throws IOException {
+	static void require(final Path file, final int type, final ImagePlus image) throws IOException {
 		try (FileChannel channel = FileChannel.open(file)) {
 			final double pixels = (double) image.getWidth() * image.getHeight()
 				* Math.max(1, image.getBitDepth() / 8);
@@ -39,8 +38,7 @@ final class PictureEnd {
 		}
 	}
 
-	private static boolean hasEnd(final FileChannel channel, final byte[] mark)
-		throws IOException {
+	private static boolean hasEnd(final FileChannel channel, final byte[] mark) throws IOException {
 		final int size = (int) Math.min(LOOKED_AT, channel.size());
 		final ByteBuffer tail = ByteBuffer.allocate(size);
 		while (tail.hasRemaining()

@@ -22,8 +22,7 @@ import io.github.knotresolver.model.UserException;
 /** The polylines of the ROI Manager as contours, each of the frame it stands on. */
 public final class RoiContours {
 
-	private static final Pattern SEVERAL = Pattern
-		.compile(RoiConverter.PREFIX + "(\\d{1,6})-\\d+");
+	private static final Pattern SEVERAL = Pattern.compile(RoiConverter.PREFIX + "(\\d{1,6})-\\d+");
 
 	private RoiContours() {
 	}
@@ -48,9 +47,10 @@ public final class RoiContours {
 		final String name = image == null ? "contours" : image.getTitle();
 		final Calibration units = image == null ? Calibration.NONE : ImageCalibration.of(image);
 		final List<ContourInput> all = new ArrayList<>();
-		filaments.forEach((number, contours) -> all.add(new ContourInput(
-			filaments.size() == 1 ? name : name + "-" + MeasuredFilament.number(number),
-			all(contours, image), units, 0, number)));
+		filaments.forEach((number,
+			contours) -> all.add(new ContourInput(
+				filaments.size() == 1 ? name : name + "-" + MeasuredFilament.number(number),
+				all(contours, image), units, 0, number)));
 		return all;
 	}
 

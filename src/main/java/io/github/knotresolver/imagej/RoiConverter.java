@@ -84,8 +84,8 @@ public final class RoiConverter {
 		final List<Roi> rois = new ArrayList<>();
 		for (final FilamentTrack filament : tracks.filaments())
 			for (final Observation frame : filament.frames())
-				frame.contour().ifPresent(c -> rois
-					.add(roi(c, frame.frame(), tracks.filaments().size() == 1 ? 0 : filament.id())));
+				frame.contour().ifPresent(c -> rois.add(
+					roi(c, frame.frame(), tracks.filaments().size() == 1 ? 0 : filament.id())));
 		return rois;
 	}
 

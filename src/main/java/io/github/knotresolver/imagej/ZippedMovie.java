@@ -43,8 +43,9 @@ final class ZippedMovie {
 			image.setTitle(file.getFileName().toString());
 			return image;
 		} catch (final ZipException e) {
-			throw new UserException(file + " is damaged (" + e.getMessage()
-				+ "); copy the file again from its source.", e);
+			throw new UserException(
+				file + " is damaged (" + e.getMessage() + "); copy the file again from its source.",
+				e);
 		} catch (final UserException e) {
 			throw new UserException(e.getMessage().replace(tiff.toString(), file.toString()), e);
 		} finally {
@@ -72,8 +73,8 @@ final class ZippedMovie {
 				progress.checkCancelled();
 				written += n;
 				if (written > most)
-					throw new UserException("There is not enough memory for " + target
-						+ "; give Java more.");
+					throw new UserException(
+						"There is not enough memory for " + target + "; give Java more.");
 				out.write(buffer, 0, n);
 			}
 		}

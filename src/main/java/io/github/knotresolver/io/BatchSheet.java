@@ -42,9 +42,7 @@ public record BatchSheet(List<BatchRow> rows, List<String> unknownColumns) {
 	 */
 	public static BatchSheet read(final Path file) {
 		final List<CsvRow> records = CsvFile.read(file);
-		final List<String> header = records.isEmpty()
-			? List.of()
-			: records.get(0).cells();
+		final List<String> header = records.isEmpty() ? List.of() : records.get(0).cells();
 		final List<String> keys = header.stream().map(h -> h.toLowerCase(Locale.ROOT)).toList();
 		if (!keys.contains(FILE_NAME) || !keys.contains(FOLDER))
 			throw new UserException(
@@ -66,8 +64,7 @@ public record BatchSheet(List<BatchRow> rows, List<String> unknownColumns) {
 	private static BatchRow row(final Path home, final List<String> keys, final CsvRow record) {
 		final Map<String, String> cells = new HashMap<>();
 		for (int i = 0; i < Math.min(keys.size(), record.size()); i++)
-			cells.put(keys.get(i),
-				COMMAS.contains(keys.get(i)) ? record.get(i) : record.number(i));
+			cells.put(keys.get(i), COMMAS.contains(keys.get(i)) ? record.get(i) : record.number(i));
 		final List<String> notes = new ArrayList<>();
 		final Map<String, String> texts = OriginalColumns.translate(cells, notes);
 		for (final String key : RunOptions.KEYS)

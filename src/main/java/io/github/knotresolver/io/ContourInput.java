@@ -1,12 +1,5 @@
 package io.github.knotresolver.io;
 
-import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.model.Calibration;
-import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.options.OptionText;
-import io.github.knotresolver.options.UnitText;
-
 import java.io.IOException;
 import java.io.Reader;
 import java.nio.charset.StandardCharsets;
@@ -25,6 +18,13 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
+
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.OptionText;
+import io.github.knotresolver.options.UnitText;
 
 /**
  * Contours that are to be measured: of a result folder, of a
@@ -92,8 +92,8 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 	private static List<ContourInput> folder(final Path folder) {
 		final Path file = folder.resolve(ContoursCsv.FILE);
 		if (!Files.isRegularFile(file))
-			throw new UserException("The folder " + folder + " has no "
-				+ ContoursCsv.FILE + "; give the folder that 'resolve' wrote.");
+			throw new UserException("The folder " + folder + " has no " + ContoursCsv.FILE
+				+ "; give the folder that 'resolve' wrote.");
 		final String name = folder.toAbsolutePath().normalize().getFileName().toString();
 		final List<ContourInput> all = all(name, ContoursCsv.readFilaments(file), file,
 			FramesCsv.lastFrame(folder.resolve(FramesCsv.FILE)));
@@ -109,10 +109,8 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 		final SortedMap<Integer, SortedMap<Integer, Polyline>> filaments, final Path file,
 		final int count) {
 		if (filaments.size() < 2)
-			return List.of(new ContourInput(name,
-				frames(file, filaments.isEmpty()
-					? new TreeMap<>()
-					: filaments.get(filaments.firstKey()), count),
+			return List.of(new ContourInput(name, frames(file,
+				filaments.isEmpty() ? new TreeMap<>() : filaments.get(filaments.firstKey()), count),
 				Calibration.NONE, 0, filaments.isEmpty() ? 1 : filaments.firstKey()));
 		final List<ContourInput> all = new ArrayList<>();
 		filaments.forEach((number, contours) -> all
@@ -133,8 +131,8 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 					+ ", so there is nothing to measure; resolve or correct at least one frame.");
 		final int n = Math.max(count, contours.lastKey());
 		if (n > MOST_FRAMES)
-			throw new UserException(file + " names frame " + n + ", more than the "
-				+ MOST_FRAMES + " that can be measured; check the column.");
+			throw new UserException(file + " names frame " + n + ", more than the " + MOST_FRAMES
+				+ " that can be measured; check the column.");
 		final List<Optional<Polyline>> frames = new ArrayList<>();
 		for (int frame = 1; frame <= n; frame++)
 			frames.add(Optional.ofNullable(contours.get(frame)));
@@ -150,8 +148,7 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 			if (record.size() != 3)
 				throw new UserException(
 					place + ", has " + record.size() + " columns, but needs three: frame, x, y.");
-			final int frame = OptionText.wholeNumber(place + ": frame",
-				record.number(0), 1);
+			final int frame = OptionText.wholeNumber(place + ": frame", record.number(0), 1);
 			points.computeIfAbsent(frame, f -> new ArrayList<>())
 				.add(new Point(ContoursCsv.coordinate(place + ": x", record.number(1)) - 1,
 					ContoursCsv.coordinate(place + ": y", record.number(2)) - 1));

@@ -64,14 +64,12 @@ public final class ContoursCsv {
 		final Calibration c) throws IOException {
 		final Polyline contour = frame.tracked().contour().orElseThrow();
 		final double[] x = frame.x(c.pixelSize()), y = frame.y(c.pixelSize()),
-			arc = frame.arcLength(), angle = frame.tangentAngle(),
-			curvature = frame.curvature();
+			arc = frame.arcLength(), angle = frame.tangentAngle(), curvature = frame.curvature();
 		for (int i = 0; i < contour.size(); i++)
 			csv.printRecord(frame.tracked().frame(), i, NumberText.pixels(contour.x(i)),
-				NumberText.pixels(contour.y(i)),
-				NumberText.significant(x[i]), NumberText.significant(y[i]), at(arc, i),
-				at(angle, i), at(curvature, i), c.unit(), NumberText.significant(c.pixelSize(), 12),
-				frame.filament());
+				NumberText.pixels(contour.y(i)), NumberText.significant(x[i]),
+				NumberText.significant(y[i]), at(arc, i), at(angle, i), at(curvature, i), c.unit(),
+				NumberText.significant(c.pixelSize(), 12), frame.filament());
 	}
 
 	private static String at(final double[] values, final int i) {
@@ -103,8 +101,7 @@ public final class ContoursCsv {
 	 * @return the contours in pixels, by the filament's number and the 1-based frame
 	 * @throws UserException if it is not such a file; the sentence names the line
 	 */
-	public static SortedMap<Integer, SortedMap<Integer, Polyline>> readFilaments(
-		final Path file) {
+	public static SortedMap<Integer, SortedMap<Integer, Polyline>> readFilaments(final Path file) {
 		final List<CsvRow> records = CsvFile.read(file);
 		final int[] columns = columns(file, records);
 		final int filament = records.get(0).cells().stream().map(h -> h.toLowerCase(Locale.ROOT))
@@ -116,8 +113,8 @@ public final class ContoursCsv {
 		final SortedMap<Integer, SortedMap<Integer, Polyline>> contours = new TreeMap<>();
 		points.forEach((number, frames) -> {
 			final SortedMap<Integer, Polyline> own = new TreeMap<>();
-			frames.forEach((frame, line) -> own.put(frame,
-				Polyline.of(new ArrayList<>(line.values()))));
+			frames.forEach(
+				(frame, line) -> own.put(frame, Polyline.of(new ArrayList<>(line.values()))));
 			contours.put(number, own);
 		});
 		return contours;
@@ -126,8 +123,9 @@ public final class ContoursCsv {
 	private static int filament(final Path file, final CsvRow record, final int column) {
 		return column < 0 || record.size() <= column || record.get(column).isEmpty()
 			? 1
-			: OptionText.wholeNumber(file.getFileName() + ", line " + record.line() + ": "
-				+ FILAMENT, record.number(column), 1);
+			: OptionText.wholeNumber(
+				file.getFileName() + ", line " + record.line() + ": " + FILAMENT,
+				record.number(column), 1);
 	}
 
 	/** A place in a picture; what is larger was mistyped, and would be measured for hours. */
@@ -142,8 +140,7 @@ public final class ContoursCsv {
 	private static int[] columns(final Path file, final List<CsvRow> records) {
 		final List<String> header = records.isEmpty()
 			? List.of()
-			: records.get(0).cells().stream()
-				.map(h -> h.toLowerCase(Locale.ROOT)).toList();
+			: records.get(0).cells().stream().map(h -> h.toLowerCase(Locale.ROOT)).toList();
 		if (!header.containsAll(NEEDED))
 			throw new UserException(
 				file + " must have the columns frame,index,x_px,y_px, but its first line is '"

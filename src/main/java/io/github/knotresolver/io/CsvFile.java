@@ -1,9 +1,6 @@
 
 package io.github.knotresolver.io;
 
-import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.options.CellText;
-
 import java.io.IOException;
 import java.io.StringReader;
 import java.io.UncheckedIOException;
@@ -18,6 +15,9 @@ import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVParser;
 import org.apache.commons.csv.CSVPrinter;
 import org.apache.commons.csv.CSVRecord;
+
+import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.CellText;
 
 /**
  * CSV as this program writes it (UTF-8, commas, line feeds) and as others do: with

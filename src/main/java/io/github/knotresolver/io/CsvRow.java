@@ -1,10 +1,10 @@
 package io.github.knotresolver.io;
 
-import io.github.knotresolver.options.CellText;
-
 import java.util.List;
 
 import org.apache.commons.csv.CSVRecord;
+
+import io.github.knotresolver.options.CellText;
 
 /**
  * A row of a CSV file.

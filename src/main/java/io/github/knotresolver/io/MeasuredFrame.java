@@ -17,7 +17,8 @@ import io.github.knotresolver.model.Observation;
  * @param measurement what was measured; empty without a contour that can be
  *          measured
  */
-public record MeasuredFrame(int filament, Observation tracked, Optional<FrameMeasurement> measurement) {
+public record MeasuredFrame(int filament, Observation tracked,
+	Optional<FrameMeasurement> measurement) {
 
 	private static final double[] NOTHING = {};
 
@@ -40,8 +41,8 @@ public record MeasuredFrame(int filament, Observation tracked, Optional<FrameMea
 	 *         contour itself if it was not measured; none without a contour
 	 */
 	public double[] x(final double pixelSize) {
-		return geometry().map(ContourGeometry::x)
-			.orElseGet(() -> scaled(tracked.contour().map(Polyline::xs).orElse(NOTHING), pixelSize));
+		return geometry().map(ContourGeometry::x).orElseGet(
+			() -> scaled(tracked.contour().map(Polyline::xs).orElse(NOTHING), pixelSize));
 	}
 
 	/**
@@ -49,8 +50,8 @@ public record MeasuredFrame(int filament, Observation tracked, Optional<FrameMea
 	 * @return rows, likewise
 	 */
 	public double[] y(final double pixelSize) {
-		return geometry().map(ContourGeometry::y)
-			.orElseGet(() -> scaled(tracked.contour().map(Polyline::ys).orElse(NOTHING), pixelSize));
+		return geometry().map(ContourGeometry::y).orElseGet(
+			() -> scaled(tracked.contour().map(Polyline::ys).orElse(NOTHING), pixelSize));
 	}
 
 	private static double[] scaled(final double[] values, final double factor) {

@@ -20,8 +20,8 @@ public final class MovieFolder {
 
 	private static final List<String> ENDINGS = List.of(".tif", ".tiff", ".tf8", ".btf", ".stk",
 		".lsm", ".avi", ".gif", ".zip");
-	private static final Pattern NUMBERED = Pattern
-		.compile("[^.].*\\d\\.(png|jpe?g|bmp|pgm)", Pattern.CASE_INSENSITIVE);
+	private static final Pattern NUMBERED = Pattern.compile("[^.].*\\d\\.(png|jpe?g|bmp|pgm)",
+		Pattern.CASE_INSENSITIVE);
 	private static final int FEWEST_FRAMES = 3;
 
 	private MovieFolder() {
@@ -40,16 +40,16 @@ public final class MovieFolder {
 		for (final Path movie : movies(input))
 			rows.add(new BatchRow(rows.size() + 1, movie.toString(), Map.of(), List.of()));
 		if (rows.isEmpty())
-			throw new UserException("The folder " + input + " has no movie ("
-				+ String.join(", ", ENDINGS)
-				+ "), and no folder of numbered pictures; name another one.");
+			throw new UserException(
+				"The folder " + input + " has no movie (" + String.join(", ", ENDINGS)
+					+ "), and no folder of numbered pictures; name another one.");
 		return new BatchSheet(rows, List.of());
 	}
 
 	private static List<Path> movies(final Path folder) {
 		try (Stream<Path> files = Files.list(folder)) {
-			return files
-				.filter(f -> Files.isDirectory(f) ? isSequence(f) : Files.isRegularFile(f) && isMovie(f))
+			return files.filter(
+				f -> Files.isDirectory(f) ? isSequence(f) : Files.isRegularFile(f) && isMovie(f))
 				.sorted().toList();
 		} catch (final IOException e) {
 			throw new UserException(

@@ -1,14 +1,14 @@
 package io.github.knotresolver.options;
 
-import io.github.knotresolver.model.Calibration;
-import io.github.knotresolver.model.UserException;
-
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.UserException;
 
 /**
  * What a person tells about pixels and frames, over what an image or a result
@@ -70,8 +70,8 @@ public record CalibrationChoice(OptionalDouble pixelSize, Optional<String> unit,
 			return true;
 		final OptionalDouble size = UnitText.micrometres(image.unit());
 		return size.isPresent() && !image.unit().equals("inch")
-			&& isPlausible(size.getAsDouble() * image.pixelSize())
-			&& !(image.unit().equals("cm") && image.pixelSize() * size.getAsDouble() > LARGEST_IN_CM);
+			&& isPlausible(size.getAsDouble() * image.pixelSize()) && !(image.unit().equals("cm")
+				&& image.pixelSize() * size.getAsDouble() > LARGEST_IN_CM);
 	}
 
 	private static boolean isPlausible(final double micrometres) {
@@ -85,9 +85,9 @@ public record CalibrationChoice(OptionalDouble pixelSize, Optional<String> unit,
 	private Calibration told(final double size, final Calibration image) {
 		final boolean named = unit.isPresent();
 		if (!named && image.hasLengthUnit() && !image.unit().equals(UnitText.MICROMETRE))
-			throw new UserException("pixel_size is " + text(size)
-				+ ", but not in which unit, and the image's own is " + image.unit()
-				+ "; tell it: unit=µm, or unit=" + image.unit() + ".");
+			throw new UserException(
+				"pixel_size is " + text(size) + ", but not in which unit, and the image's own is "
+					+ image.unit() + "; tell it: unit=µm, or unit=" + image.unit() + ".");
 		final String in = unit.orElse(UnitText.MICROMETRE);
 		if (in.equals(Calibration.NONE.unit()))
 			throw new UserException("pixel_size is " + text(size)
@@ -115,11 +115,9 @@ public record CalibrationChoice(OptionalDouble pixelSize, Optional<String> unit,
 		final OptionalDouble from = UnitText.micrometres(image.unit()),
 			to = UnitText.micrometres(in);
 		if (from.isEmpty() || to.isEmpty())
-			throw new UserException(
-				"unit is " + in + ", but the pixels' size is known in " + image.unit()
-					+ " only; tell pixel_size, too.");
-		return new Calibration(
-			rounded(image.pixelSize() * from.getAsDouble() / to.getAsDouble()),
+			throw new UserException("unit is " + in + ", but the pixels' size is known in "
+				+ image.unit() + " only; tell pixel_size, too.");
+		return new Calibration(rounded(image.pixelSize() * from.getAsDouble() / to.getAsDouble()),
 			in, 1, Calibration.NONE.timeUnit());
 	}
 
@@ -137,9 +135,9 @@ public record CalibrationChoice(OptionalDouble pixelSize, Optional<String> unit,
 		if (!in.hasTimeUnit())
 			return Calibration.NONE;
 		if (!in.timeUnit().equals(UnitText.SECOND))
-			throw new UserException("The image's frames are " + text(image.frameInterval()) + " "
-				+ image.timeUnit()
-				+ " apart, which is no unit of time; tell frame_interval in seconds.");
+			throw new UserException(
+				"The image's frames are " + text(image.frameInterval()) + " " + image.timeUnit()
+					+ " apart, which is no unit of time; tell frame_interval in seconds.");
 		if (!(in.frameInterval() >= SHORTEST && in.frameInterval() <= LONGEST))
 			throw new UserException("frame_interval must be from 1e-9 s to a year, but is "
 				+ text(in.frameInterval()) + " s.");

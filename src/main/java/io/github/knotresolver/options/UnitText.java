@@ -74,9 +74,9 @@ public final class UnitText {
 	private static String plain(final String unit) {
 		if (unit == null)
 			return "";
-		final String text = CellText.clean(unit).toLowerCase(Locale.ROOT)
-			.replaceAll("\\\\u00b5|\u00e2?\u00c2\u00b5|\u00e2\u00b5|\u00ee\u00bc|\u00ce\u00bc|[\u00b5\u03bc]", "u")
-			.replaceAll("[?\ufffd]+", "?").replaceAll("\\.$", "");
+		final String text = CellText.clean(unit).toLowerCase(Locale.ROOT).replaceAll(
+			"\\\\u00b5|\u00e2?\u00c2\u00b5|\u00e2\u00b5|\u00ee\u00bc|\u00ce\u00bc|[\u00b5\u03bc]",
+			"u").replaceAll("[?\ufffd]+", "?").replaceAll("\\.$", "");
 		return text.length() > 2 ? text.replaceAll("s$", "") : text;
 	}
 

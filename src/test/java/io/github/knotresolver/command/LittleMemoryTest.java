@@ -38,8 +38,10 @@ class LittleMemoryTest {
 				"io.github.knotresolver.imagej.OpenMain", file.toString());
 			final String last = log.strip().substring(log.strip().lastIndexOf('\n') + 1);
 			said.add(megabytes + " MB: " + last);
-			assertTrue(last.equals("frames: " + FRAMES)
-				|| last.startsWith("refused: There is not enough memory for "), said.toString());
+			assertTrue(
+				last.equals("frames: " + FRAMES)
+					|| last.startsWith("refused: There is not enough memory for "),
+				said.toString());
 		}
 		assertTrue(said.get(0).contains("refused"), said.toString());
 		assertEquals("300 MB: frames: " + FRAMES, said.get(3));

@@ -77,8 +77,8 @@ class CrossingsTest {
 		while (points.size() < n) {
 			final Point next = new Point(random.nextInt(4), random.nextInt(4));
 			final int k = points.size();
-			if (k > 0 && next.equals(points.get(k - 1)) || k > 1
-				&& Orientation.of(points.get(k - 2), points.get(k - 1), next) == 0)
+			if (k > 0 && next.equals(points.get(k - 1))
+				|| k > 1 && Orientation.of(points.get(k - 2), points.get(k - 1), next) == 0)
 				continue;
 			points.add(next);
 		}

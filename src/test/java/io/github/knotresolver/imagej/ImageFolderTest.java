@@ -11,7 +11,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.concurrent.CountDownLatch;
-
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 
@@ -32,9 +31,9 @@ import ij.ImagePlus;
 import ij.io.FileSaver;
 import ij.plugin.GifWriter;
 import ij.plugin.filter.AVI_Writer;
-import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 
@@ -165,8 +164,8 @@ class ImageFolderTest {
 			for (int x = left; x < image.getWidth(); x++)
 				part.getRaster().setSample(x - left, y, 0,
 					image.getStack().getProcessor(t).get(x, y) - 31 * t & 0xff);
-		final IIOMetadata metadata = writer
-			.getDefaultImageMetadata(new ImageTypeSpecifier(part), null);
+		final IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(part),
+			null);
 		final IIOMetadataNode root = (IIOMetadataNode) metadata
 			.getAsTree("javax_imageio_gif_image_1.0");
 		((IIOMetadataNode) root.getElementsByTagName("ImageDescriptor").item(0))
@@ -182,7 +181,8 @@ class ImageFolderTest {
 			for (int y = 0; y < image.getHeight(); y++)
 				for (int x = 0; x < image.getWidth(); x++)
 					assertEquals(image.getStack().getProcessor(t + 1).get(x, y),
-						movie.frames().getAt(x, y, t).getRealDouble(), tolerance, x + "," + y + "," + t);
+						movie.frames().getAt(x, y, t).getRealDouble(), tolerance,
+						x + "," + y + "," + t);
 	}
 
 	/** As other programs write them: numbers of a palette in any order. */
@@ -235,7 +235,8 @@ class ImageFolderTest {
 
 	@Test
 	void colourAndEmptyFoldersAreRefused() throws IOException {
-		assertTrue(refusal(Files.createDirectory(home.resolve("empty"))).contains("without images"));
+		assertTrue(
+			refusal(Files.createDirectory(home.resolve("empty"))).contains("without images"));
 		final Path folder = folder("png", true);
 		final var ip = image.getProcessor().convertToRGB();
 		ip.set(3, 3, 0xff0000);

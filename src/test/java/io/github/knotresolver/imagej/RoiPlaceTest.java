@@ -12,6 +12,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 
+import net.imglib2.img.array.ArrayImgs;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -30,7 +32,6 @@ import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
-import net.imglib2.img.array.ArrayImgs;
 
 /** Contours lie where the filament is, in ImageJ's own drawing and profiles. */
 class RoiPlaceTest {
@@ -62,8 +63,7 @@ class RoiPlaceTest {
 	/** Of the overlay's two screen pixels a pixel, those of row 25 are drawn alike. */
 	@Test
 	void pictureOfTheOverlayHasTheLineInTheMiddleOfItsRow() {
-		final Movie movie = new Movie("dark", ArrayImgs.unsignedBytes(60, 50, 2),
-			Calibration.NONE);
+		final Movie movie = new Movie("dark", ArrayImgs.unsignedBytes(60, 50, 2), Calibration.NONE);
 		final Polyline contour = Polyline.of(new double[]{10, 25, 50}, new double[]{25, 25, 25});
 		final ImagePlus overlay = OverlayRenderer.stack(TestImages.tracks(movie,
 			RunOptions.parse(Map.of()).parameters(movie), List.of(contour, contour)),
@@ -99,8 +99,8 @@ class RoiPlaceTest {
 	}
 
 	private static double profile(final ImagePlus image, final double row) {
-		image.setRoi(RoiConverter.polyline(
-			Polyline.of(new double[]{20, 30, 40, 50}, new double[]{row, row, row, row})));
+		image.setRoi(RoiConverter
+			.polyline(Polyline.of(new double[]{20, 30, 40, 50}, new double[]{row, row, row, row})));
 		return Arrays.stream(new ProfilePlot(image).getProfile()).sum();
 	}
 

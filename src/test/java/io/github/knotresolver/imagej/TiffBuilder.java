@@ -51,8 +51,8 @@ final class TiffBuilder {
 	}
 
 	/** A page of tiles. */
-	TreeMap<Integer, long[]> tiled(final int width, final int height, final int bits, final int edge,
-		final List<byte[]> tiles) {
+	TreeMap<Integer, long[]> tiled(final int width, final int height, final int bits,
+		final int edge, final List<byte[]> tiles) {
 		final TreeMap<Integer, long[]> tags = tags(width, height, bits);
 		tags.put(TILE_WIDTH, new long[]{edge});
 		tags.put(TILE_HEIGHT, new long[]{edge});
@@ -83,9 +83,8 @@ final class TiffBuilder {
 		final int[] starts = new int[pages.size()];
 		for (int p = 0; p < pages.size(); p++) {
 			final TreeMap<Integer, long[]> tags = pages.get(p);
-			final long[] offsets = tags.get(tags.containsKey(TILE_OFFSETS)
-				? TILE_OFFSETS
-				: STRIP_OFFSETS);
+			final long[] offsets = tags
+				.get(tags.containsKey(TILE_OFFSETS) ? TILE_OFFSETS : STRIP_OFFSETS);
 			for (int b = 0; b < blocks.get(p).size(); b++) {
 				offsets[b] = out.position();
 				out.put(blocks.get(p).get(b));
@@ -127,7 +126,8 @@ final class TiffBuilder {
 		boolean told = text < 0;
 		for (final var tag : tags.entrySet()) {
 			if (!told && tag.getKey() > DESCRIPTION) {
-				entry(out, DESCRIPTION, 2, description.getBytes(StandardCharsets.UTF_8).length + 1, text);
+				entry(out, DESCRIPTION, 2, description.getBytes(StandardCharsets.UTF_8).length + 1,
+					text);
 				told = true;
 			}
 			final long[] values = tag.getValue();

@@ -29,10 +29,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import ij.ImagePlus;
-import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.RunOptions;
 
 /** Kinds of TIFF that ImageJ alone does not read, or reads wrong. */
 class TiffKindsTest {
@@ -99,7 +99,8 @@ class TiffKindsTest {
 		final Sample one = (out, v) -> out.put((byte) v), two = (out, v) -> out.putShort((short) v),
 			four = (out, v) -> out.putInt(v);
 		assertRead(file(big, 8, one, tag(TiffBuilder.FORMAT, 1)), 0);
-		assertRead(file(big, 8, (out, v) -> out.put((byte) (v - 50)), tag(TiffBuilder.FORMAT, 2)), 78);
+		assertRead(file(big, 8, (out, v) -> out.put((byte) (v - 50)), tag(TiffBuilder.FORMAT, 2)),
+			78);
 		assertRead(file(big, 16, two, tag(TiffBuilder.FORMAT, 1)), 0);
 		assertRead(file(big, 16, two, tag(TiffBuilder.FORMAT, 2)), 32768);
 		assertRead(file(big, 32, four, tag(TiffBuilder.FORMAT, 1)), 0);
@@ -229,8 +230,7 @@ class TiffKindsTest {
 		final TiffBuilder tiff = new TiffBuilder(false);
 		for (int t = 0; t < FRAMES; t++) {
 			tiff.page(W, H, 8, pixels(t, 1, (out, v) -> out.put((byte) v)));
-			tiff.page(5, 4, 8, new byte[20]).put(TiffBuilder.SUBFILE_TYPE,
-				new long[]{subfileType});
+			tiff.page(5, 4, 8, new byte[20]).put(TiffBuilder.SUBFILE_TYPE, new long[]{subfileType});
 		}
 		return tiff.write(home.resolve("small.tif"));
 	}
@@ -253,7 +253,8 @@ class TiffKindsTest {
 		final String message = assertThrows(UserException.class,
 			() -> ImageMovie.of(ImageFile.open(file), RunOptions.parse(Map.of()).input()))
 			.getMessage();
-		assertTrue(message.contains("3 channels and one frame") && message.contains("add z_as_time"),
+		assertTrue(
+			message.contains("3 channels and one frame") && message.contains("add z_as_time"),
 			message);
 		assertRead(file, 0);
 	}
@@ -304,8 +305,7 @@ class TiffKindsTest {
 		if (data.isEmpty())
 			return;
 		for (int k = 0; k < FRAMES; k++)
-			assertEquals(sample(1, 1, (k + 1) % 3),
-				image.getStack().getProcessor(k + 1).get(1, 1));
+			assertEquals(sample(1, 1, (k + 1) % 3), image.getStack().getProcessor(k + 1).get(1, 1));
 	}
 
 	private static String ome(final String order, final int c, final int z, final int t,
@@ -336,7 +336,8 @@ class TiffKindsTest {
 	}
 
 	@ParameterizedTest
-	@CsvSource(delimiter = '|', value = {"XYCZT|1|1|9||has 3 planes, but its OME metadata tell of 1 channels, 1 slices and 9 frames",
+	@CsvSource(delimiter = '|', value = {
+		"XYCZT|1|1|9||has 3 planes, but its OME metadata tell of 1 channels, 1 slices and 9 frames",
 		"XY|1|1|3||without the order of its axes", "XYCZT|1|1|3|<broken|cannot be read"})
 	void omeThatDoesNotFitIsRefused(final String order, final int c, final int z, final int t,
 		final String data, final String reason) throws IOException {

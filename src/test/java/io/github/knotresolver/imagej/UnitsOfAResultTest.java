@@ -12,12 +12,12 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.stream.IntStream;
 
+import net.imglib2.img.array.ArrayImgs;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-
-import net.imglib2.img.array.ArrayImgs;
 
 import ij.ImagePlus;
 import io.github.knotresolver.geometry.Point;
@@ -60,8 +60,7 @@ class UnitsOfAResultTest {
 	}
 
 	private void write(final Tracks tracks) throws IOException {
-		ContoursCsv.write(home.resolve(ContoursCsv.FILE),
-			MeasuredTracks.of(tracks, Progress.NONE));
+		ContoursCsv.write(home.resolve(ContoursCsv.FILE), MeasuredTracks.of(tracks, Progress.NONE));
 		ParametersJson.write(home.resolve(ParametersJson.FILE), tracks, InputOptions.DEFAULT,
 			Optional.empty(), List.of());
 	}
@@ -96,8 +95,8 @@ class UnitsOfAResultTest {
 			new Calibration(0.5, "µm", 1, "s"));
 		write(TestImages.tracks(movie, RunOptions.parse(Map.of()).parameters(movie),
 			List.of(Polyline.of(px, py), Polyline.of(px, py))));
-		final double[][] rows = Files.readAllLines(home.resolve(ContoursCsv.FILE)).stream()
-			.skip(1).limit(n + 1)
+		final double[][] rows = Files.readAllLines(home.resolve(ContoursCsv.FILE)).stream().skip(1)
+			.limit(n + 1)
 			.map(line -> IntStream.range(2, 9)
 				.mapToDouble(k -> Double.parseDouble(line.split(",")[k])).toArray())
 			.toArray(double[][]::new);

@@ -65,12 +65,11 @@ class BatchSheetTest {
 
 	@Test
 	void whatIsNoSheetIsRefused() throws IOException {
-		assertTrue(assertThrows(UserException.class, () -> read("name,folder", "a,b"))
-			.getMessage().contains("FileName and FolderPath"));
-		assertTrue(assertThrows(UserException.class, () -> read()).getMessage()
-			.contains("FileName"));
-		assertThrows(UserException.class,
-			() -> BatchSheet.read(home.resolve("absent.csv")));
+		assertTrue(assertThrows(UserException.class, () -> read("name,folder", "a,b")).getMessage()
+			.contains("FileName and FolderPath"));
+		assertTrue(
+			assertThrows(UserException.class, () -> read()).getMessage().contains("FileName"));
+		assertThrows(UserException.class, () -> BatchSheet.read(home.resolve("absent.csv")));
 	}
 
 	@Test

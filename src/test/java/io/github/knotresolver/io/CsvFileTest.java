@@ -36,7 +36,8 @@ class CsvFileTest {
 	@ParameterizedTest
 	@ValueSource(strings = {"1,11.5,21\n1,12,21.25\n1,13,22\n", "1;11.5;21\n1;12;21.25\n1;13;22",
 		"1;11,5;21\r\n1;12;21,25\r\n1;13;22\r\n", "1\t11,5\t21\n1\t12\t21,25\n1\t13\t22\n",
-		"sep=;\n1;11,5;21\n1;12;21,25\n1;13;22\n", "\"sep=,\"\r\n1,\"11,5\",21\n1,12,\"21,25\"\n1,13,22\n",
+		"sep=;\n1;11,5;21\n1;12;21,25\n1;13;22\n",
+		"\"sep=,\"\r\n1,\"11,5\",21\n1,12,\"21,25\"\n1,13,22\n",
 		"1.0e+00,1.15e+01,2.1E1\n1.0e+00,1.2e1,2.125e1\n1.0e+00,1.3e1,2.2e1\n",
 		"\u00a01,\u20091.15e1\u202f,21\n1, 12,\u300021.25\n\u200b1,13,22\n\n",
 		"\uFEFF1,11.5,21\n1,12,21.25\n1,13,22\n"})
@@ -80,7 +81,8 @@ class CsvFileTest {
 
 	@Test
 	void picturesAreNoText() throws IOException {
-		final Path file = Files.write(home.resolve("t.csv"), new byte[]{'I', 'I', 42, 0, 8, 0, 0, 0, 0, 0, 1});
+		final Path file = Files.write(home.resolve("t.csv"),
+			new byte[]{'I', 'I', 42, 0, 8, 0, 0, 0, 0, 0, 1});
 		final String message = assertThrows(UserException.class, () -> ContourInput.read(file))
 			.getMessage();
 		assertTrue(message.contains("no text") || message.contains("must have"), message);
@@ -106,8 +108,7 @@ class CsvFileTest {
 			"FileName,FolderPath\na\0b.tif,.\nc.tif,.\n");
 		final List<BatchRow> rows = BatchSheet.read(file).rows();
 		assertEquals(2, rows.size());
-		final String message = assertThrows(UserException.class, rows.get(0)::file)
-			.getMessage();
+		final String message = assertThrows(UserException.class, rows.get(0)::file).getMessage();
 		assertTrue(message.contains("cannot be the name of a file"), message);
 		rows.get(1).file();
 		assertEquals("c.tif", rows.get(1).name());

@@ -1,8 +1,5 @@
 package io.github.knotresolver.options;
 
-import io.github.knotresolver.model.Calibration;
-import io.github.knotresolver.model.UserException;
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -16,6 +13,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.UserException;
+
 class CalibrationChoiceTest {
 
 	@ParameterizedTest
@@ -28,8 +28,8 @@ class CalibrationChoiceTest {
 
 	@ParameterizedTest
 	@CsvSource(delimiter = '|', value = {"sec|s", "Seconds|s", "s.|s", "''|s", "msec|ms",
-		"milliseconds|ms", "ms|ms", "µs|µs", "usec|µs", "min|min", "mins|min", "Minutes|min", "hr|h",
-		"hours|h", "frames|frame", "weeks|weeks"})
+		"milliseconds|ms", "ms|ms", "µs|µs", "usec|µs", "min|min", "mins|min", "Minutes|min",
+		"hr|h", "hours|h", "frames|frame", "weeks|weeks"})
 	void unitsOfTime(final String unit, final String expected) {
 		assertEquals(expected, UnitText.time(unit));
 	}

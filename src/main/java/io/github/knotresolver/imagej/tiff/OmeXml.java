@@ -43,8 +43,9 @@ public final class OmeXml {
 	 */
 	public static boolean isOme(final String description) {
 		return description != null && description.contains("<OME")
-			&& description.contains("<Pixels") || description != null
-				&& description.contains("<OME:OME") && description.contains("Pixels");
+			&& description.contains("<Pixels")
+			|| description != null && description.contains("<OME:OME")
+				&& description.contains("Pixels");
 	}
 
 	/**
@@ -59,8 +60,8 @@ public final class OmeXml {
 			images = builder().parse(new InputSource(new StringReader(description.strip())))
 				.getElementsByTagNameNS("*", "Pixels");
 		} catch (final SAXException | IOException | ParserConfigurationException e) {
-			throw new UserException(name + " has OME metadata that cannot be read (" + e.getMessage()
-				+ "); save it again as an ordinary TIFF.", e);
+			throw new UserException(name + " has OME metadata that cannot be read ("
+				+ e.getMessage() + "); save it again as an ordinary TIFF.", e);
 		}
 		if (images.getLength() != 1)
 			throw new UserException(name + " holds " + images.getLength()
@@ -136,8 +137,9 @@ public final class OmeXml {
 			throw new UserException(path
 				+ " has OME metadata without the order of its axes; save it again as an ordinary TIFF.");
 		if ((double) c * z * t != planes)
-			throw new UserException(path + " has " + planes + " planes, but its OME metadata tell of "
-				+ c + " channels, " + z + " slices and " + t
+			throw new UserException(path + " has " + planes
+				+ " planes, but its OME metadata tell of " + c + " channels, " + z + " slices and "
+				+ t
 				+ " frames; open the whole set of files in Fiji (Bio-Formats) and save it as one TIFF.");
 		return moved(TiffAxes.ordered(order, c, z, t), order);
 	}
@@ -151,9 +153,10 @@ public final class OmeXml {
 			final int ifd = integer(data, "IFD", next);
 			final int count = integer(data, "PlaneCount",
 				data.hasAttribute("IFD") ? 1 : plane.length - ifd);
-			int place = position(order, axes, integer(data, "FirstC", 0), integer(data, "FirstZ", 0),
-				integer(data, "FirstT", 0));
-			for (int k = 0; k < count && place < plane.length && ifd + k < plane.length; k++, place++)
+			int place = position(order, axes, integer(data, "FirstC", 0),
+				integer(data, "FirstZ", 0), integer(data, "FirstT", 0));
+			for (int k = 0; k < count && place < plane.length
+				&& ifd + k < plane.length; k++, place++)
 				plane[inImageJ(order, axes, place)] = ifd + k;
 			next = ifd + count;
 		}
@@ -215,6 +218,8 @@ public final class OmeXml {
 
 	private static int integer(final Element element, final String name, final int otherwise) {
 		final double value = number(element, name);
-		return value == Math.rint(value) && value >= 0 && value <= Integer.MAX_VALUE ? (int) value : otherwise;
+		return value == Math.rint(value) && value >= 0 && value <= Integer.MAX_VALUE
+			? (int) value
+			: otherwise;
 	}
 }

@@ -56,8 +56,9 @@ final class TiffKind {
 
 	/** @return whether ImageJ reads all of it, and right */
 	boolean isForImageJ() {
-		return !tiff.isBig() && isInARow() && frames.size() == tiff.pages().size() && frames.stream()
-			.map(tiff.pages()::get).allMatch(p -> p.compression() == 1 && !p.isTiled())
+		return !tiff.isBig()
+			&& isInARow() && frames.size() == tiff.pages().size() && frames.stream()
+				.map(tiff.pages()::get).allMatch(p -> p.compression() == 1 && !p.isTiled())
 			&& isForImageJ(first);
 	}
 
@@ -106,17 +107,17 @@ final class TiffKind {
 				+ NAMES.getOrDefault(compression, "method " + compression + " of TIFF")
 				+ ", which is not read here" + SAVE);
 		if (first.predictor() > LAST_PREDICTOR)
-			throw new UserException(path + " is compressed with the predictor "
-				+ first.predictor() + ", which is not read here" + SAVE);
+			throw new UserException(path + " is compressed with the predictor " + first.predictor()
+				+ ", which is not read here" + SAVE);
 		final int format = first.format(), bits = first.bits();
 		if (format > TiffPage.FLOAT && format != 4)
-			throw new UserException(
-				path + " holds complex numbers, but a movie has intensities; save their magnitude.");
+			throw new UserException(path
+				+ " holds complex numbers, but a movie has intensities; save their magnitude.");
 		if (format == TiffPage.FLOAT
 			? bits != 16 && bits != 32 && bits != 64
 			: bits > 32 || bits < 1)
-			throw new UserException(path + " holds " + (format == TiffPage.FLOAT ? "floating-point" : "whole")
-				+ " numbers of " + bits
+			throw new UserException(path + " holds "
+				+ (format == TiffPage.FLOAT ? "floating-point" : "whole") + " numbers of " + bits
 				+ " bit, which are not read here; save it with 8, 16 or 32 bit.");
 		if (first.bytes() > Integer.MAX_VALUE)
 			throw new UserException("The frames of " + path + " are " + first

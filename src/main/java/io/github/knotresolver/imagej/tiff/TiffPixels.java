@@ -84,9 +84,7 @@ final class TiffPixels {
 
 	private Raster raster(final ImageReader reader, final int i) throws IOException {
 		try {
-			return reader.canReadRaster()
-				? reader.readRaster(i, null)
-				: reader.read(i).getRaster();
+			return reader.canReadRaster() ? reader.readRaster(i, null) : reader.read(i).getRaster();
 		} catch (final IIOException e) {
 			throw new UserException(path + " is of a kind that is not read here: " + e.getMessage()
 				+ "; save it as a TIFF stack without compression.", e);
