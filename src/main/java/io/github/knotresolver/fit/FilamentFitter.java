@@ -80,6 +80,7 @@ public final class FilamentFitter {
 		double damping = 1e-3;
 		int iteration = 0;
 		while (iteration < settings.iterations()) {
+			Cancellation.check();
 			system.reduce(nodes, x, y, chain.linkLength());
 			addPriors(system, chain, predicted);
 			final double before = energy;

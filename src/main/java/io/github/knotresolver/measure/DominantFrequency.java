@@ -3,6 +3,7 @@ package io.github.knotresolver.measure;
 
 import java.util.Optional;
 
+import org.apache.commons.math3.exception.TooManyEvaluationsException;
 import org.apache.commons.math3.optim.MaxEval;
 import org.apache.commons.math3.optim.nonlinear.scalar.GoalType;
 import org.apache.commons.math3.optim.univariate.BrentOptimizer;
@@ -69,10 +70,15 @@ public record DominantFrequency(double frequency, double standardError, double a
 		final double reach = 0.5 / series.duration();
 		final double low = Math.max(0.5 / series.duration(), peak - reach);
 		final double high = Math.min(0.5 / series.interval(), peak + reach);
-		return new BrentOptimizer(1e-10, 1e-12).optimize(new MaxEval(200), GoalType.MINIMIZE,
-			new UnivariateObjectiveFunction(
-				f -> SineFits.plain(series, f).residual(series, 0).variance()),
-			new SearchInterval(low, high, Math.min(high, peak))).getPoint();
+		try {
+			return new BrentOptimizer(1e-10, 1e-12).optimize(new MaxEval(200), GoalType.MINIMIZE,
+				new UnivariateObjectiveFunction(
+					f -> SineFits.plain(series, f).residual(series, 0).variance()),
+				new SearchInterval(low, high, Math.min(high, peak))).getPoint();
+		} catch (final TooManyEvaluationsException e) {
+			// Nothing near the peak fits better than the peak itself.
+			return peak;
+		}
 	}
 
 	private static double standardError(final TimeSeries series, final TimeSeries noise,

@@ -10,6 +10,7 @@ import io.github.knotresolver.contour.ContourBuilder;
 import io.github.knotresolver.fit.FilamentEstimator.Sighting;
 import io.github.knotresolver.geometry.Crossings;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.progress.Cancellation;
 
 /**
  * Chooses the frames in which the contour is beyond doubt, from which the line
@@ -50,9 +51,11 @@ final class Sightings {
 	 */
 	static List<Sighting> choose(final List<FrameView> frames, final List<CandidateSet> sets) {
 		final List<Seen> seen = new ArrayList<>();
-		for (int t = 0; t < sets.size(); t++)
+		for (int t = 0; t < sets.size(); t++) {
+			Cancellation.check();
 			for (final Candidate best : sets.get(t).candidates().stream().limit(1).toList())
 				look(frames.get(t), best, seen);
+		}
 		if (seen.isEmpty())
 			return List.of();
 		final List<Seen> simple = seen.stream().filter(s -> s.frame.graph().isUnbranched())

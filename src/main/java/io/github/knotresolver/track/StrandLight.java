@@ -5,9 +5,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
+import io.github.knotresolver.candidate.Candidate;
 import io.github.knotresolver.candidate.CandidateSet;
 import io.github.knotresolver.contour.ContourBuilder;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.progress.Cancellation;
 
 /**
  * How bright a single strand is in each frame. Where a filament winds up, more and more of
@@ -40,7 +42,7 @@ record StrandLight(double[] light, boolean open) {
 	 */
 	static StrandLight of(final List<FrameView> frames, final List<CandidateSet> sets) {
 		final List<Optional<Polyline>> contours = sets.stream()
-			.map(s -> s.candidates().stream().findFirst().map(ContourBuilder::smooth)).toList();
+			.map(s -> s.candidates().stream().findFirst().map(StrandLight::smooth)).toList();
 		final double[] lengths = contours.stream().flatMap(Optional::stream)
 			.mapToDouble(Polyline::length).sorted().toArray();
 		final double longest = lengths.length == 0
@@ -54,10 +56,17 @@ record StrandLight(double[] light, boolean open) {
 			&& open[open.length - 1] - open[0] >= SPAN * (frames.size() - 1);
 		final double[] light = new double[frames.size()];
 		Arrays.fill(light, Double.NaN);
-		for (final int t : enough ? open : IntStream.range(0, frames.size()).toArray())
+		for (final int t : enough ? open : IntStream.range(0, frames.size()).toArray()) {
+			Cancellation.check();
 			if (contours.get(t).isPresent())
 				light[t] = of(frames.get(t), contours.get(t).get());
+		}
 		return new StrandLight(light, enough);
+	}
+
+	private static Polyline smooth(final Candidate candidate) {
+		Cancellation.check();
+		return ContourBuilder.smooth(candidate);
 	}
 
 	private static double of(final FrameView frame, final Polyline contour) {
