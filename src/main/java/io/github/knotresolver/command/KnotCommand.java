@@ -75,7 +75,7 @@ abstract class KnotCommand extends ContextCommand {
 	 *
 	 * @throws UserException if the input cannot be used, in one sentence
 	 * @throws CancelledException if the user asked to stop
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	abstract void work(Progress progress) throws IOException;
 

@@ -31,7 +31,7 @@ public final class LikeFolder {
 	 * @param folder the reserved folder; committed here
 	 * @param plots whether figures are drawn
 	 * @param progress may cancel; nothing is left then
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void write(final LikeStudy study, final LikeResult result,
 		final ResultFolder folder, final boolean plots, final Progress progress)

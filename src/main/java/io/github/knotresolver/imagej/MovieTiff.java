@@ -31,7 +31,7 @@ public final class MovieTiff {
 	 * @param movie 8 bit; any other type is written as 16 bit, whole numbers from 0
 	 *          to 65535
 	 * @param file the file to write
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void write(final Movie movie, final Path file) throws IOException {
 		final ImagePlus image = image(movie);

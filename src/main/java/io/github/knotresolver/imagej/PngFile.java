@@ -15,7 +15,7 @@ final class PngFile {
 	/**
 	 * @param file the file to write
 	 * @param picture the picture
-	 * @throws IOException if the disk says no, or this Java has no PNG
+	 * @throws IOException if it cannot be written, or this Java has no PNG
 	 */
 	static void write(final Path file, final RenderedImage picture) throws IOException {
 		if (!ImageIO.write(picture, "png", file.toFile()))

@@ -29,7 +29,7 @@ public final class RoiSetWriter {
 	/**
 	 * @param file the file to write
 	 * @param rois ROIs with different names
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void write(final Path file, final List<Roi> rois) throws IOException {
 		try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(file))) {

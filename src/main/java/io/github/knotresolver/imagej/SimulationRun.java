@@ -53,7 +53,7 @@ public record SimulationRun(SimulationParameters parameters, Rendering rendering
 	 *
 	 * @param movie what {@link #run(Progress)} gave
 	 * @param folder the reserved folder; committed here
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public void write(final SimulatedMovie movie, final ResultFolder folder) throws IOException {
 		MovieTiff.write(movie.movie(), folder.path().resolve(MOVIE));

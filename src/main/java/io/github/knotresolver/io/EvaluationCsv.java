@@ -32,7 +32,7 @@ public final class EvaluationCsv {
 	/**
 	 * @param file the file to write
 	 * @param evaluation the scores
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void write(final Path file, final Evaluation evaluation) throws IOException {
 		write(file, List.of(new FilamentScore(1, OptionalInt.of(1), false, evaluation)));

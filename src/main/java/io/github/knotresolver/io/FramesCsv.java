@@ -36,7 +36,7 @@ public final class FramesCsv {
 	/**
 	 * @param file the file to write
 	 * @param result a measured result
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void write(final Path file, final MeasuredTracks result) throws IOException {
 		try (CSVPrinter csv = CsvFile.create(file, HEADER)) {

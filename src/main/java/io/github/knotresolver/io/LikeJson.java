@@ -26,7 +26,7 @@ public final class LikeJson {
 	/**
 	 * @param file the file to write
 	 * @param result the study
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void write(final Path file, final LikeResult result) throws IOException {
 		final Map<String, Object> json = new LinkedHashMap<>();

@@ -30,7 +30,7 @@ public final class LikeTables {
 	/**
 	 * @param folder an existing folder
 	 * @param result the study
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void write(final Path folder, final LikeResult result) throws IOException {
 		writeMovies(folder.resolve(MOVIES), result);

@@ -75,7 +75,7 @@ public final class MeasurementTables {
 	 * Writes all tables.
 	 *
 	 * @param folder an existing folder
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public void write(final Path folder) throws IOException {
 		writePoints(folder.resolve(ContoursCsv.FILE));

@@ -40,7 +40,7 @@ public final class OriginalFiles {
 	/**
 	 * @param file the file to write
 	 * @param filament a measured filament
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void writeContours(final Path file, final MeasuredFilament filament)
 		throws IOException {
@@ -60,7 +60,7 @@ public final class OriginalFiles {
 	 * @param file the file to write
 	 * @param filament a measured filament
 	 * @param result the result that it belongs to
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void writeStatistics(final Path file, final MeasuredFilament filament,
 		final MeasuredTracks result) throws IOException {

@@ -23,7 +23,7 @@ public final class OriginalStatistics {
 	 * @param original the quantities
 	 * @param c units
 	 * @param frequencyUnit unit of the dominant frequency
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void write(final Path file, final OriginalQuantities original,
 		final Calibration c, final String frequencyUnit) throws IOException {

@@ -49,7 +49,7 @@ public final class ParametersJson {
 	 * @param input how the movie was taken from its image
 	 * @param identity what it was made from; empty if the image has no file
 	 * @param notes what else a user should know; one sentence each
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void write(final Path file, final Tracks tracks, final InputOptions input,
 		final Optional<RunIdentity> identity, final List<String> notes) throws IOException {

@@ -31,7 +31,7 @@ public final class SimulationJson {
 	 * @param file the file to write
 	 * @param simulation what decided the trajectory
 	 * @param rendering what decided the pictures, by option
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void write(final Path file, final SimulationParameters simulation,
 		final Map<String, Object> rendering) throws IOException {

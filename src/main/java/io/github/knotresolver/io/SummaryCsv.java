@@ -36,7 +36,7 @@ public final class SummaryCsv {
 	 * @param file the file to write
 	 * @param result a measured result
 	 * @param input how the movie was taken from its image
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void write(final Path file, final MeasuredTracks result,
 		final InputOptions input) throws IOException {

@@ -70,7 +70,7 @@ public final class TruthCsv {
 	/**
 	 * @param file the file to write
 	 * @param contours one contour a frame, the first frame first
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void write(final Path file, final List<Polyline> contours) throws IOException {
 		try (CSVPrinter csv = CsvFile.create(file, "frame", "index", "x_px", "y_px")) {

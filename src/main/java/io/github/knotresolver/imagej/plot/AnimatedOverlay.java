@@ -22,7 +22,7 @@ public final class AnimatedOverlay {
 	 * @param overlay an RGB stack
 	 * @param framesPerSecond above 0 to 60
 	 * @throws UserException if the speed is out of range
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void write(final Path file, final ImagePlus overlay, final double framesPerSecond)
 		throws IOException {

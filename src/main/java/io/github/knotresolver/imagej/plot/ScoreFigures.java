@@ -87,7 +87,7 @@ public final class ScoreFigures {
 	 * @param movies the frames of one movie, or of several
 	 * @param errors their position errors in pixels
 	 * @param progress may cancel
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void write(final Path folder, final String prefix,
 		final List<List<FrameScore>> movies, final double[] errors, final Progress progress)
