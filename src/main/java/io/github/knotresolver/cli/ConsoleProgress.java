@@ -32,6 +32,12 @@ final class ConsoleProgress implements Progress {
 	}
 
 	@Override
+	public synchronized void note(final String sentence) {
+		err.println(sentence);
+		err.flush();
+	}
+
+	@Override
 	public boolean isCancelled() {
 		return cancelled;
 	}

@@ -29,6 +29,15 @@ public interface Progress {
 	 */
 	void report(String stage, double fraction);
 
+	/**
+	 * Called when something is found out that a user should know while the work goes on. The
+	 * result says it again; whoever shows only results need not listen.
+	 *
+	 * @param sentence one sentence
+	 */
+	default void note(final String sentence) {
+	}
+
 	/** @return whether the user asked to stop */
 	boolean isCancelled();
 

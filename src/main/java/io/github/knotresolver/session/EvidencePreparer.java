@@ -47,6 +47,8 @@ final class EvidencePreparer {
 	PreparedMovie prepare(final List<Integer> frames, final List<Point> told) {
 		final AppearanceFinder.Found found = new AppearanceFinder(workers, progress).find(movie,
 			frames, polarity);
+		final List<String> notes = new ArrayList<>(EvidenceNotes.early(found));
+		notes.forEach(progress::note);
 		final EvidenceFinder finder = new EvidenceFinder(found.appearance());
 		final List<FrameEvidence> evidence = workers.map("Finding lines", progress, frames.size(),
 			t -> finder.find(movie.frame(frames.get(t) - 1)));
@@ -61,8 +63,11 @@ final class EvidencePreparer {
 				lost.add(Observation.without(view.frame(), FrameStatus.LOST,
 					"There is no light in this frame where the filament is in those around it."));
 		final WorkingPixels pixels = new WorkingPixels(blocks.binning(), box.x(), box.y());
-		return new PreparedMovie(lit, pixels, lost, Clipping.along(movie, lit, pixels).kinds(),
-			EvidenceNotes.of(found, lost.size()));
+		final Clipping clipping = Clipping.along(movie, lit, pixels);
+		final List<String> late = EvidenceNotes.late(lit, lost.size(), clipping);
+		late.forEach(progress::note);
+		notes.addAll(late);
+		return new PreparedMovie(lit, pixels, lost, clipping.kinds(), notes);
 	}
 
 	private FrameView view(final int frame, final FrameEvidence whole, final Box box) {

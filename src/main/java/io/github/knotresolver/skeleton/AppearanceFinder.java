@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 import io.github.knotresolver.image.CrossProfile;
+import io.github.knotresolver.image.Enlargement;
 import io.github.knotresolver.image.HotPixels;
 import io.github.knotresolver.image.LineAppearance;
 import io.github.knotresolver.image.LineVote;
@@ -25,6 +26,9 @@ public final class AppearanceFinder {
 	/** Frames that are looked at: as many as have so many pixels together, within limits. */
 	private static final double PIXELS = 1e6;
 	private static final int FEWEST = 4, MOST = 8;
+
+	/** Pixels around what was found that are looked at again: as many as noise is measured in. */
+	private static final int MARGIN = 48;
 
 	/** Rounds in which the width is measured; it changes by this factor at most in each. */
 	private static final int ROUNDS = 2;
@@ -47,12 +51,47 @@ public final class AppearanceFinder {
 	 *
 	 * @param appearance what the lines look like; its reference is NaN if there are none
 	 * @param doubtful whether lines of the other sign are nearly as strong
+	 * @param enlargement whether the movie was blown up
 	 */
-	public record Found(LineAppearance appearance, boolean doubtful) {
+	public record Found(LineAppearance appearance, boolean doubtful, Enlargement enlargement) {
+	}
+
+	/** Frames without hot pixels, and the columns of a row. */
+	private record Sample(List<float[]> frames, int width) {
+
+		/** The same frames, but only the part around what was found. */
+		Sample around(final List<Look> looks, final int binning) {
+			final int height = frames.get(0).length / width;
+			int left = width, right = 0, top = height, bottom = 0;
+			for (final Look look : looks)
+				for (final int at : look.places) {
+					final int x = at % (width / binning) * binning, y = at / (width / binning) * binning;
+					left = Math.min(left, x);
+					right = Math.max(right, x + binning);
+					top = Math.min(top, y);
+					bottom = Math.max(bottom, y + binning);
+				}
+			if (left > right)
+				return this;
+			final int x = Math.max(0, left - MARGIN), y = Math.max(0, top - MARGIN);
+			final int columns = Math.min(width, right + MARGIN) - x;
+			final int rows = Math.min(height, bottom + MARGIN) - y;
+			return new Sample(
+				frames.stream().map(frame -> part(frame, y * width + x, columns, rows)).toList(),
+				columns);
+		}
+
+		private float[] part(final float[] frame, final int from, final int columns,
+			final int rows) {
+			final float[] part = new float[columns * rows];
+			for (int row = 0; row < rows; row++)
+				System.arraycopy(frame, from + row * width, part, row * columns, columns);
+			return part;
+		}
 	}
 
 	/** What one frame says. */
-	private record Look(double[] profile, double clarity, double strength) {
+	private record Look(double[] profile, double clarity, double strength, int[] places) {
 	}
 
 	/**
@@ -67,8 +106,11 @@ public final class AppearanceFinder {
 		final List<float[]> calm = calm(movie, frames);
 		final LineVote vote = LineVote.of(calm, movie.width(), workers, progress);
 		final Polarity sign = polarity == Polarity.AUTO ? vote.polarity() : polarity;
-		return new Found(measured(LineAppearance.of(sign, vote.sigma(sign)), calm, movie.width()),
-			polarity == Polarity.AUTO && vote.isDoubtful(sign));
+		return new Found(
+			measured(LineAppearance.of(sign, vote.sigma(sign)), new Sample(calm, movie.width())),
+			polarity == Polarity.AUTO && vote.isDoubtful(sign),
+			Enlargement.of(Pixels.floats(movie.frame(frames.get(frames.size() / 2) - 1)),
+				movie.width()));
 	}
 
 	/**
@@ -95,18 +137,20 @@ public final class AppearanceFinder {
 			.toList();
 	}
 
-	private LineAppearance measured(final LineAppearance rough, final List<float[]> calm,
-		final int width) {
-		LineAppearance appearance = rough;
-		for (int round = 0; round < ROUNDS; round++)
-			appearance = withWidth(appearance, looks(calm, width, appearance));
-		final double[] clarities = looks(calm, width, appearance).stream()
-			.mapToDouble(Look::clarity).filter(c -> c > 0).toArray();
+	/** Looks at the whole frames once, then at the part where something was found. */
+	private LineAppearance measured(final LineAppearance rough, final Sample whole) {
+		final List<Look> first = looks(whole, rough);
+		final Sample sample = whole.around(first, rough.binning());
+		LineAppearance appearance = withWidth(rough, first);
+		for (int round = 1; round < ROUNDS; round++)
+			appearance = withWidth(appearance, looks(sample, appearance));
+		final double[] clarities = looks(sample, appearance).stream().mapToDouble(Look::clarity)
+			.filter(c -> c > 0).toArray();
 		if (clarities.length == 0)
 			return appearance;
 		appearance = appearance.asFineAsNoiseAllows(median(clarities));
-		final double[] strengths = looks(calm, width, appearance).stream()
-			.mapToDouble(Look::strength).filter(s -> s > 0).toArray();
+		final double[] strengths = looks(sample, appearance).stream().mapToDouble(Look::strength)
+			.filter(s -> s > 0).toArray();
 		return strengths.length == 0 ? appearance : appearance.withReference(median(strengths));
 	}
 
@@ -118,11 +162,10 @@ public final class AppearanceFinder {
 		return LineAppearance.of(before.polarity(), factor * before.sigma());
 	}
 
-	private List<Look> looks(final List<float[]> calm, final int width,
-		final LineAppearance appearance) {
-		return workers.map(calm.size(), t -> {
+	private List<Look> looks(final Sample sample, final LineAppearance appearance) {
+		return workers.map(sample.frames.size(), t -> {
 			progress.checkCancelled();
-			return look(Ridges.of(calm.get(t), width, appearance));
+			return look(Ridges.of(sample.frames.get(t), sample.width, appearance));
 		});
 	}
 
@@ -137,7 +180,7 @@ public final class AppearanceFinder {
 		return new Look(CrossProfile.of(ridges, all),
 			median(Arrays.stream(all).mapToDouble(ridges::z).toArray()),
 			median(Arrays.stream(EvidenceFinder.inside(line, longest)).mapToDouble(ridges::strength)
-				.toArray()));
+				.toArray()), all);
 	}
 
 	/** @return the median; 0 of nothing */

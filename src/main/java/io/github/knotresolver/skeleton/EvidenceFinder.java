@@ -25,12 +25,12 @@ public final class EvidenceFinder {
 	private static final double SPUR = 3;
 
 	/** A part of which more than this is an edge is no line. */
-	private static final double EDGE = 0.4;
+	private static final double EDGE = 0.6;
 
 	/** Side branches of beads are no longer than this many line widths, ... */
 	private static final double BEAD = 12;
 
-	/** ... chains of beads are no longer than this, ... */
+	/** ... chains of beads are no longer than this, and not the longest part of the frame, ... */
 	private static final double CHAIN = 24;
 
 	/** ... and more than this part of them, or of a part of its own, is near the middles of round spots. */
@@ -84,9 +84,10 @@ public final class EvidenceFinder {
 			branch -> isOfBeads(EvidenceFinder.inside(line, branch), ridges));
 		ends.trim(line);
 		final boolean[] edges = edges(ridges);
+		final int longest = LineParts.of(line).stream().mapToInt(p -> p.length).max().orElse(0);
 		LineParts.keep(line, part -> part.length >= BEFORE_JOINING * s
 			&& LineParts.count(part, at -> edges[at]) <= EDGE * part.length
-			&& !(part.length < CHAIN * s && isOfBeads(part, ridges)));
+			&& !(part.length < Math.min(CHAIN * s, longest) && isOfBeads(part, ridges)));
 		new GapJoiner(ridges).join(line);
 		LineParts.keep(line,
 			part -> part.length >= SHORTEST * s && Surety.of(part, ridges) > SURE);
