@@ -1,8 +1,11 @@
 package io.github.knotresolver.session;
 
+import java.util.Comparator;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 import net.imglib2.RandomAccess;
 import net.imglib2.RandomAccessibleInterval;
@@ -13,6 +16,8 @@ import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.image.FrameEvidence;
 import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.mask.ConnectedComponents;
+import io.github.knotresolver.mask.MaskObject;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.track.FrameView;
 
@@ -43,8 +48,8 @@ record Clipping(double share, double most) {
 	}
 
 	/**
-	 * Looks along the lines of some frames only: what lies elsewhere (a saturated bead, a
-	 * flash) says nothing about strands.
+	 * Looks along the longest line of each frame only: what lies elsewhere (a saturated bead,
+	 * a flash) says nothing about strands.
 	 *
 	 * @param frames with evidence
 	 * @param pixels what their pixels are
@@ -63,11 +68,14 @@ record Clipping(double share, double most) {
 		final int sign = evidence.appearance().polarity().sign();
 		final RandomAccessibleInterval<? extends RealType<?>> image = movie
 			.frame(frame.frame() - 1);
-		final double[] crests = new double[evidence.size()];
-		for (int i = 0; i < crests.length; i++)
-			crests[i] = largest(image, pixels.out(new Point(evidence.x(i), evidence.y(i))),
-				pixels.binning(), sign);
-		return crests;
+		final ConnectedComponents parts = ConnectedComponents.of(evidence.skeleton());
+		final Optional<MaskObject> longest = parts.objects().stream()
+			.max(Comparator.comparingInt(MaskObject::pixels));
+		return IntStream.range(0, evidence.size())
+			.filter(i -> parts.at(evidence.x(i), evidence.y(i)).equals(longest))
+			.mapToDouble(i -> largest(image,
+				pixels.out(new Point(evidence.x(i), evidence.y(i))), pixels.binning(), sign))
+			.toArray();
 	}
 
 	private static <T extends RealType<?>> double largest(final RandomAccessibleInterval<T> image,

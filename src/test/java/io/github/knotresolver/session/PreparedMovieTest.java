@@ -152,8 +152,8 @@ class PreparedMovieTest {
 		final PreparedMovie prepared = prepared(new Movie("field",
 			ArrayImgs.floats(pixels, width, height, FRAMES), SAMPLE.calibration()));
 		final FrameView first = prepared.frames().get(0);
-		assertTrue(first.light().width() < SAMPLE.width() + 30
-			&& first.light().height() < SAMPLE.height() + 30, first.light().width() + " px wide");
+		assertTrue(first.light().width() < SAMPLE.width() + 49
+			&& first.light().height() < SAMPLE.height() + 49, first.light().width() + " px wide");
 		final Point there = new Point(150, 160);
 		final Point back = prepared.pixels().out(prepared.pixels().in(there));
 		assertEquals(0, there.distanceTo(back), 1e-9);
