@@ -38,7 +38,7 @@ record Clipping(double share, double most) {
 	private static final double CLIPPED = 0.003;
 
 	/** ... and few of those along its lines. */
-	private static final double CLIPPED_LENGTH = 0.15;
+	private static final double CLIPPED_LENGTH = 0.25;
 
 	/** Looks at all pixels of some frames. */
 	static Clipping of(final Movie movie, final List<Integer> frames) {

@@ -122,7 +122,7 @@ class PreparedMovieTest {
 	void aSaturatedBeadElsewhereSaysNothingAboutStrands() {
 		final PreparedMovie plain = prepared(changed((x, y, t, v) -> v));
 		final PreparedMovie bead = prepared(
-			changed((x, y, t, v) -> Math.hypot(x - 8, y - 8) < 6 ? 255 : v));
+			changed((x, y, t, v) -> Math.hypot(x - 8, y - 46) < 5 ? 255 : v));
 		assertEquals(plain.kinds(), bead.kinds());
 		assertEquals(2, bead.kinds().size());
 	}
@@ -152,8 +152,8 @@ class PreparedMovieTest {
 		final PreparedMovie prepared = prepared(new Movie("field",
 			ArrayImgs.floats(pixels, width, height, FRAMES), SAMPLE.calibration()));
 		final FrameView first = prepared.frames().get(0);
-		assertTrue(first.light().width() < SAMPLE.width() + 49
-			&& first.light().height() < SAMPLE.height() + 49, first.light().width() + " px wide");
+		assertTrue(first.light().width() < width - 120 && first.light().height() < height - 120,
+			first.light().width() + " x " + first.light().height());
 		final Point there = new Point(150, 160);
 		final Point back = prepared.pixels().out(prepared.pixels().in(there));
 		assertEquals(0, there.distanceTo(back), 1e-9);
