@@ -40,18 +40,22 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 		return FilamentEstimator.links(course.estimate().length());
 	}
 
-	/** @return the fits of a frame that are as the user said: those at hand, and further ones */
+	/** @return the fits of a frame that are as the user said; further ones if none at hand is */
 	List<Fit> restricted(final int t, final Restriction said) {
 		final FitProposals proposals = new FitProposals(course.in(t), links(),
 			settings.freeLength());
 		if (said.contour().isPresent())
 			return proposals.of(said.contour().get(), fitter(t));
-		final FitPool pool = new FitPool();
-		fits.get(t).forEach(pool::add);
-		final FitSettings rough = settings.roughAndStiff(FitProposals.START_STIFFNESS);
-		proposals.of(sets.get(t), fitter(t), fitter(t, rough), said::isNearlyMetBy)
-			.forEach(pool::add);
-		return pool.fits().stream().filter(f -> said.isMetBy(f.chain().contour())).toList();
+		final List<Fit> atHand = met(fits.get(t), said);
+		return atHand.isEmpty()
+			? met(proposals.of(sets.get(t), fitter(t),
+				fitter(t, settings.roughAndStiff(FitProposals.START_STIFFNESS)),
+				said::isNearlyMetBy), said)
+			: atHand;
+	}
+
+	private static List<Fit> met(final List<Fit> fits, final Restriction said) {
+		return fits.stream().filter(f -> said.isMetBy(f.chain().contour())).toList();
 	}
 
 	/** @return what carries fits of a frame to its neighbours */

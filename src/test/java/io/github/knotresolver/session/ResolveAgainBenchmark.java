@@ -64,7 +64,7 @@ public class ResolveAgainBenchmark {
 	@Setup(Level.Trial)
 	public void resolve() {
 		final Movie frames = movie.equals(DRAWN)
-			? DrawnMovie.draw(DrawnMovie.waves(FRAMES, 80, 1.6), List.of(),
+			? DrawnMovie.draw(DrawnMovie.waves(FRAMES, 80, 3.6), List.of(),
 				LineModel.uniform(LineModel.Kind.ADDITIVE, 1.6, 1), 0.05, 41).movie()
 			: ImageMovie.of(ImageFile.open(Path.of(movie)), InputOptions.DEFAULT);
 		session = new Session(frames, Settings.DEFAULT);

@@ -42,7 +42,7 @@ class SessionTest {
 
 	@BeforeAll
 	static void resolve() {
-		drawn = DrawnMovie.draw(DrawnMovie.waves(FRAMES, 80, 1.6), List.of(), LINE, 0.05, 41);
+		drawn = DrawnMovie.draw(DrawnMovie.waves(FRAMES, 80, 3.6), List.of(), LINE, 0.05, 41);
 		session = new Session(drawn.movie(), SETTINGS);
 		silent = session.solve(List.of(), Progress.NONE);
 	}
