@@ -150,7 +150,7 @@ class CommandLineTest {
 	void unreadableMoviesAreStatus2() throws IOException {
 		final byte[] tiff = Files.readAllBytes(movie);
 		assertRefused(resolve(home.resolve("absent.tif")), "There is no file");
-		assertRefused(resolve(home), "is a folder");
+		assertRefused(resolve(home), "each file is one frame");
 		assertRefused(resolve(file("empty.tif", new byte[0])), "is empty");
 		assertRefused(resolve(file("cut.tif", Arrays.copyOf(tiff, tiff.length / 2))), "is cut off");
 		assertRefused(resolve(file("header.tif", Arrays.copyOf(tiff, 20))), "is cut off");
@@ -168,7 +168,9 @@ class CommandLineTest {
 		final ImagePlus zt = TestImages.movie(6, 8);
 		zt.setDimensions(1, 2, 3);
 		assertRefused(resolve(save(zt, "zt.tif")), "Z Project");
-		assertRefused(resolve(save(IJ.createHyperStack("rgb", 9, 9, 1, 1, 4, 24), "rgb.tif")),
+		final ImagePlus rgb = IJ.createHyperStack("rgb", 9, 9, 1, 1, 4, 24);
+		rgb.getStack().getProcessor(2).set(3, 3, 0xff0000);
+		assertRefused(resolve(save(rgb, "rgb.tif")),
 			"RGB");
 		assertRefused(resolve(save(IJ.createHyperStack("flat", 9, 9, 1, 1, 4, 16), "flat.tif")),
 			"equal in every frame");

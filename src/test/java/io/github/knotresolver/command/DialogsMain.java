@@ -96,6 +96,7 @@ final class DialogsMain {
 		scenes.put("calibration is asked for and recorded", this::calibrationIsAskedFor);
 		scenes.put("giving up the calibration gives up all", this::calibrationCanBeGivenUp);
 		scenes.put("calibration is not asked for if the dialog told it", this::calibrationTold);
+		scenes.put("a unit in doubt is asked for", this::unitInDoubt);
 		scenes.put("slices are swapped with frames if wanted", this::zIsTime);
 		scenes.put("a Z-stack that is none is refused", this::zIsNotTime);
 		scenes.put("another image than the active one is chosen", this::imageIsChosen);
@@ -156,6 +157,20 @@ final class DialogsMain {
 		Windows.type(dialog, "Frame interval", "3");
 		Windows.press(dialog, "OK");
 		finished();
+	}
+
+	private void unitInDoubt() throws Exception {
+		final ImagePlus image = sample("in nm");
+		image.getCalibration().pixelWidth = image.getCalibration().pixelHeight = 106;
+		image.getCalibration().setUnit("nm");
+		Windows.start(RESOLVE);
+		final Dialog dialog = Windows.dialog(RESOLVE, "Threshold");
+		Windows.type(dialog, "Frames", "1-3");
+		Windows.type(dialog, "Pixel size", "0.106");
+		Windows.press(dialog, "OK");
+		Windows.press(Windows.dialog(RESOLVE, "says that its pixels are 106.0 nm large"), "OK");
+		finished();
+		require(log().contains("pixel_size=0.106 unit=µm "), log());
 	}
 
 	private void zIsTime() throws Exception {
@@ -225,6 +240,7 @@ final class DialogsMain {
 
 	private void rgb() throws Exception {
 		final ImagePlus image = IJ.createImage("rgb", "RGB black", 50, 50, 1);
+		image.getProcessor().set(3, 3, 0xff0000);
 		image.getStack().addSlice(image.getProcessor().duplicate());
 		image.setStack(image.getStack());
 		image.setDimensions(1, 1, 2);
