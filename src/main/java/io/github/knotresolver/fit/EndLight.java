@@ -33,6 +33,9 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 	/** A last piece with less than this part of its brightness is dark. */
 	private static final double DARK = 0.25;
 
+	/** A piece of which less than this is inside the frame and not hidden says nothing. */
+	private static final double LEAST_SEEN = 0.2;
+
 	/** No end moves by more than so many pieces. */
 	private static final int MOST_PIECES = 60;
 
@@ -58,6 +61,11 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 		/** @return whether the filament goes on here */
 		public boolean isThere() {
 			return sureness > SURE && brightness > BRIGHT;
+		}
+
+		/** @return whether there is anything to see here: the piece is in the frame, not hidden */
+		public boolean isSeen() {
+			return sureness != 0 || brightness != 0;
 		}
 	}
 
@@ -92,7 +100,20 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 		final double length = chain.length(), piece = Math.min(piece(), length / 4);
 		final Chain shorter = chain.resized(length - piece);
 		final Window window = new Window(shorter.tip(), shorter);
-		return window.piece(shorter.tip(), chain.angle(chain.links() - 1));
+		return window.piece(shorter.tip(), chain.angle(Math.max(0, chain.links() - END_LINKS)));
+	}
+
+	/**
+	 * @param chain a chain
+	 * @return brightness of the brighter of the pieces beyond both ends, relative to the
+	 *         ends' own; 0 if neither is sure
+	 */
+	public double beyond(final Chain chain) {
+		final Piece tip = beyondTip(chain);
+		final Piece start = new EndLight(frame, model.reversed(), noise)
+			.beyondTip(chain.reversed());
+		return Math.max(tip.sureness > SURE ? tip.brightness : 0,
+			start.sureness > SURE ? start.brightness : 0);
 	}
 
 	/**
@@ -117,7 +138,7 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 		if (grown == chain)
 			for (int i = 0; i < MOST_PIECES && grown.length() > 4 * piece(); i++) {
 				final Piece last = beforeTip(grown);
-				if (last.sureness == 0 && last.brightness == 0 || last.brightness > DARK)
+				if (!last.isSeen() || last.brightness > DARK)
 					break;
 				grown = grown.resized(grown.length() - piece());
 			}
@@ -177,8 +198,7 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 				light += own * (part.pixels()[i] - drawn[i]);
 				norm += own * own;
 			}
-			// Less than a fifth of the piece inside the frame, or not hidden, says nothing.
-			return norm < 0.2 * length * model.sigma()
+			return norm < LEAST_SEEN * length * model.sigma()
 				? new Piece(0, 0, angle)
 				: new Piece(light / norm / expected, light / (noise * Math.sqrt(norm)), angle);
 		}

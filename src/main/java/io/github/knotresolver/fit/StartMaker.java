@@ -35,6 +35,24 @@ public final class StartMaker {
 		return Chain.along(fitted(from(contour, clamp), length), links, length);
 	}
 
+	/**
+	 * The same for a filament that leaves the picture where the contour ends: all that is
+	 * missing is added straight on.
+	 *
+	 * @param contour at least two points, fixed end first, in pixels
+	 * @param clamp the fixed end, which becomes the first point if it is near
+	 * @param links number of links
+	 * @param length length of the chain in pixels
+	 * @return the chain
+	 */
+	public static Chain leaving(final Polyline contour, final Point clamp, final int links,
+		final double length) {
+		final Polyline inside = from(contour, clamp);
+		final double missing = length - inside.length();
+		return Chain.along(missing <= 0 ? inside.head(length) : extended(inside, missing), links,
+			length);
+	}
+
 	/** The contour, beginning at the clamp. */
 	private static Polyline from(final Polyline contour, final Point clamp) {
 		final List<Point> points = new ArrayList<>();

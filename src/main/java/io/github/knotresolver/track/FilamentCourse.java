@@ -19,6 +19,15 @@ record FilamentCourse(FilamentEstimate estimate, AnchorPath anchor, LengthCourse
 	/** An anchor that moves by less (pixels) is not worth a note. */
 	private static final double NOTED = 2;
 
+	/** What is known of a frame near a break, with the other length that is possible there. */
+	FilamentEstimate otherIn(final int index) {
+		return in(index).withLength(length.others()[index]);
+	}
+
+	FilamentCourse withLength(final LengthCourse other) {
+		return new FilamentCourse(estimate, anchor, other);
+	}
+
 	FilamentCourse withAnchor(final AnchorPath other) {
 		return new FilamentCourse(estimate, other, length);
 	}

@@ -7,29 +7,35 @@ import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitQuality;
 
 /**
- * How sure it is that a frame's contour is right. Two things speak for it: every
- * visibly different contour makes the whole movie dearer (the gap of the trellis), and
- * the contour explains its frame as well as contours of this movie usually do. Bright
- * objects that it touches but does not run along speak against it.
+ * How likely it is that a frame's contour is right: a logistic function of what can be seen
+ * after the fact (D. R. Cox, doi:10.1111/j.2517-6161.1958.tb00292.x). Its weights are none
+ * negative, so that more of what speaks against a contour never raises its confidence. They
+ * were fitted to movies with known truth by {@code scripts/fit-confidence}, on half of the
+ * conditions; docs/benchmark.md has the reliability on the other half.
  *
  * @param usualMisfit median misfit of the movie's chosen fits
  */
 record FitConfidence(double usualMisfit) {
 
-	/** A gap of this price gives a confidence of 63 %. */
+	/** A gap of this price takes 63 % of a rival's weight. */
 	private static final double GAP_SCALE = 2;
-
-	/** So much uncovered skeleton, relative to the contour, may be debris. */
-	private static final double DEBRIS = 0.2;
 
 	/** Fits nearer than this (pixels, at equal arc length) do not differ visibly. */
 	private static final double VISIBLE = 2.5;
 
-	/** Misfit, as a multiple of the usual one, that says nothing against a fit ... */
-	private static final double USUAL = 1.3;
+	/** Below this, a contour cannot be called resolved. */
+	static final double NONE = 0.02;
 
-	/** ... and that leaves no confidence. */
-	private static final double HOPELESS = 2.5;
+	/** From this on nothing needs to be said. */
+	private static final double SURE = 0.9;
+
+	/** A figure that lowers the logit by less is not a reason. */
+	private static final double NOTICEABLE = 0.7;
+
+	private static final double CONSTANT = 7;
+
+	/** In the order of {@link FitEvidence#NAMES}. */
+	private static final double[] WEIGHTS = {5, 3, 1.5, 12, 8, 8, 5, 4, 4, 1.5};
 
 	static FitConfidence learn(final List<Optional<FitQuality>> quality) {
 		final double[] misfits = quality.stream().flatMap(Optional::stream)
@@ -48,11 +54,39 @@ record FitConfidence(double usualMisfit) {
 		return path.gap(frame, v -> pool.get(v).chain().distance(chosen.chain()) > VISIBLE);
 	}
 
-	double of(final double gap, final FitQuality quality, final double uncovered) {
-		final double multiple = quality.misfit() / usualMisfit;
-		final double agreement = Math.min(1,
-			Math.max(0, (HOPELESS - multiple) / (HOPELESS - USUAL)));
-		final double covered = Math.min(1, Math.max(0, (1 - uncovered) / (1 - DEBRIS)));
-		return (1 - Math.exp(-gap / GAP_SCALE)) * agreement * (1 - quality.dark()) * covered;
+	/** A gap as a figure: 1 if there is none, falling to 0. */
+	static double rival(final double gap) {
+		return Math.exp(-gap / GAP_SCALE);
+	}
+
+	/** A misfit as a figure: 0 if it is usual. */
+	double misfit(final FitQuality quality) {
+		return usualMisfit > 0 ? Math.log(Math.max(1, quality.misfit() / usualMisfit)) : 0;
+	}
+
+	/** @return 0..1 */
+	static double of(final FitEvidence evidence) {
+		double logit = CONSTANT;
+		final double[] figures = evidence.figures();
+		for (int i = 0; i < figures.length; i++)
+			logit -= WEIGHTS[i] * figures[i];
+		return 1 / (1 + Math.exp(-logit));
+	}
+
+	/** What lowers a confidence, in words; empty if it is high. */
+	static String reason(final FitEvidence evidence) {
+		if (of(evidence) >= SURE)
+			return "";
+		final double[] figures = evidence.figures();
+		final StringBuilder reason = new StringBuilder("Doubtful: ");
+		int worst = 0;
+		for (int i = 1; i < figures.length; i++)
+			if (WEIGHTS[i] * figures[i] > WEIGHTS[worst] * figures[worst])
+				worst = i;
+		reason.append(FitEvidence.words(worst));
+		for (int i = 0; i < figures.length; i++)
+			if (i != worst && WEIGHTS[i] * figures[i] > NOTICEABLE)
+				reason.append("; ").append(FitEvidence.words(i));
+		return reason.append('.').toString();
 	}
 }

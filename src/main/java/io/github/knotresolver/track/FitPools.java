@@ -42,7 +42,7 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 
 	/** @return the fits of a frame that are as the user said; further ones if none at hand is */
 	List<Fit> restricted(final int t, final Restriction said) {
-		final FitProposals proposals = new FitProposals(course.in(t), links(),
+		final FitProposals proposals = new FitProposals(frames.get(t), course.in(t), links(),
 			settings.freeLength());
 		if (said.contour().isPresent())
 			return proposals.of(said.contour().get(), fitter(t));

@@ -21,11 +21,12 @@ import io.github.knotresolver.geometry.Polyline;
  * Turns the graph's candidates of a frame into fits: the cheapest are drawn and compared
  * with the picture as they are, and those that explain it best are fitted.
  *
+ * @param frame the frame
  * @param estimate what is known about the filament in this frame
  * @param links number of links of all chains
  * @param freeLength whether a start has the contour's own length
  */
-record FitProposals(FilamentEstimate estimate, int links, boolean freeLength) {
+record FitProposals(FrameView frame, FilamentEstimate estimate, int links, boolean freeLength) {
 
 	/**
 	 * A start is first fitted as a stiff filament: where strands lie side by side a skeleton
@@ -68,6 +69,8 @@ record FitProposals(FilamentEstimate estimate, int links, boolean freeLength) {
 
 	private Chain start(final Polyline contour, final Point from) {
 		final double length = freeLength ? contour.length() : estimate.length();
-		return StartMaker.start(contour, from, links, length);
+		return freeLength || !FreeEnds.atBorder(frame, contour.last())
+			? StartMaker.start(contour, from, links, length)
+			: StartMaker.leaving(contour, from, links, length);
 	}
 }

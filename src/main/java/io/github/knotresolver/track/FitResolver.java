@@ -75,10 +75,11 @@ public final class FitResolver {
 	 *
 	 * @param estimate line, length and fixed end
 	 * @param frames one for each frame asked for, in the same order
+	 * @param evidence what can be seen of each frame's contour; empty where there is none
 	 * @param notes what a user should know, one sentence each
 	 */
 	public record Resolved(FilamentEstimate estimate, List<Observation> frames,
-		List<String> notes) {
+		List<Optional<FitEvidence>> evidence, List<String> notes) {
 	}
 
 	/**
@@ -123,7 +124,7 @@ public final class FitResolver {
 		final List<NormalizedFrame> light = light(seen.frames, seen.course.estimate());
 		final int links = FilamentEstimator.links(seen.course.estimate().length());
 		final List<Fit> fits = workers.map("Fitting the contours", progress, seen.frames.size(),
-			t -> new FitProposals(seen.course.in(t), links, settings().freeLength()).of(
+			t -> new FitProposals(seen.frames.get(t), seen.course.in(t), links, settings().freeLength()).of(
 				contours.get(seen.frames.get(t).frame()), fitter(t, light, seen.course, settings()))
 				.get(0));
 		final Map<Integer, Polyline> fitted = new TreeMap<>();
@@ -227,6 +228,11 @@ public final class FitResolver {
 		return FitSettings.DEFAULT.withFreeLength(lengths == LengthModel.FREE);
 	}
 
+	private CandidateSet candidates(final FrameView frame, final FilamentEstimate estimate) {
+		return generator.generate(CandidateQuery.of(frame.graph(), estimate.fixedEnd(),
+			OptionalDouble.of(estimate.length())), progress);
+	}
+
 	private List<CandidateSet> candidates(final List<FrameView> frames,
 		final IntFunction<Point> fixedEnds, final IntFunction<OptionalDouble> known) {
 		return workers.map("Proposing contours", progress, frames.size(),
@@ -241,9 +247,14 @@ public final class FitResolver {
 		final FitSettings rough = settings().roughAndStiff(FitProposals.START_STIFFNESS);
 		return workers.map("Fitting the proposals", progress, frames.size(), t -> {
 			final FilamentFitter fitter = fitter(t, light, course, settings());
-			final FitProposals proposer = new FitProposals(course.in(t), links,
+			final FitProposals proposer = new FitProposals(frames.get(t), course.in(t), links,
 				settings().freeLength());
-			return proposer.of(sets.get(t), fitter, fitter(t, light, course, rough));
+			final FilamentFitter stiff = fitter(t, light, course, rough);
+			final List<Fit> fits = new ArrayList<>(proposer.of(sets.get(t), fitter, stiff));
+			if (course.length().isOpen(t))
+				fits.addAll(new FitProposals(frames.get(t), course.otherIn(t), links, false)
+					.of(candidates(frames.get(t), course.otherIn(t)), fitter, stiff));
+			return fits;
 		});
 	}
 

@@ -9,7 +9,6 @@ import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 
 import io.github.knotresolver.fit.Fit;
-import io.github.knotresolver.fit.FitQuality;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
@@ -30,11 +29,11 @@ public final class FitSolver {
 
 	private final FitPools pools;
 	private final Map<Restriction, Consequence> known = new ConcurrentHashMap<>();
-	private final List<Map<Fit, FitQuality>> qualities = new ArrayList<>();
+	private final List<Map<Fit, FitLook>> looks = new ArrayList<>();
 
 	FitSolver(final FitPools pools) {
 		this.pools = pools;
-		pools.frames().forEach(f -> qualities.add(new IdentityHashMap<>()));
+		pools.frames().forEach(f -> looks.add(new IdentityHashMap<>()));
 	}
 
 	/** The fits that a restriction leaves in its frame, and those that it brings up elsewhere. */
@@ -54,11 +53,11 @@ public final class FitSolver {
 		final SortedMap<Integer, Restriction> said = byFrame(constraints);
 		consider(said, workers, progress);
 		final List<List<Fit>> fits = fits(said);
-		final List<Observation> frames = new FitTrellis(
-			pools.frames(), pools.light(), pools.course(), fits, pools.sets(), this::quality)
-				.solve(said, progress);
-		return new Resolved(pools.course().estimate(), frames,
-			pools.course().notes(pools.frames()));
+		final FilamentCourse course = pools.course();
+		final FitTrellis.Solved solved = new FitTrellis(pools.frames(), pools.light(), course,
+			fits, pools.sets(), this::look).solve(said, progress);
+		return new Resolved(course.estimate(), solved.frames(), solved.evidence(), course
+			.withLength(course.length().settled(solved.lengths())).notes(pools.frames()));
 	}
 
 	private SortedMap<Integer, Restriction> byFrame(final List<Constraint> constraints) {
@@ -110,8 +109,8 @@ public final class FitSolver {
 		return fits;
 	}
 
-	private FitQuality quality(final int t, final Fit fit) {
-		return qualities.get(t).computeIfAbsent(fit, f -> FitQuality.of(pools.light().get(t),
-			pools.course().estimate().model(), f.chain()));
+	private FitLook look(final int t, final Fit fit) {
+		return looks.get(t).computeIfAbsent(fit, f -> FitLook.at(pools.frames().get(t),
+			pools.light().get(t), pools.course().estimate().model(), f.chain()));
 	}
 }

@@ -26,11 +26,10 @@ import io.github.knotresolver.progress.Progress;
  * @param course what is known about the filament
  * @param pools the fits of every frame
  * @param sets the candidates of every frame
- * @param quality how well a fit agrees with the frame of an index
+ * @param looks gives a look at a fit in a frame
  */
 record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentCourse course,
-	List<List<Fit>> pools, List<CandidateSet> sets,
-	BiFunction<Integer, Fit, FitQuality> quality) {
+	List<List<Fit>> pools, List<CandidateSet> sets, BiFunction<Integer, Fit, FitLook> looks) {
 
 	/** So many other contours of a frame are kept. */
 	private static final int ALTERNATIVES = 4;
@@ -47,56 +46,88 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 	}
 
 	/**
+	 * The movie as chosen.
+	 *
+	 * @param frames one for each frame
+	 * @param evidence what can be seen of each frame's contour; empty where there is none
+	 * @param lengths of the chosen chains in pixels; NaN where there is none
+	 */
+	record Solved(List<Observation> frames, List<Optional<FitEvidence>> evidence,
+		double[] lengths) {
+	}
+
+	/**
 	 * @param said what the user said, by index of the frame
 	 */
-	List<Observation> solve(final Map<Integer, Restriction> said, final Progress progress) {
+	Solved solve(final Map<Integer, Restriction> said, final Progress progress) {
 		final List<double[]> prices = pools.stream()
 			.map(p -> p.stream().mapToDouble(Fit::energy).toArray()).toList();
 		final MotionPrice motion = MotionPrice.learn(pools, course.anchor());
 		final TrellisPath path = Trellis.solve(prices, (t, i, u, j) -> motion.between(
 			course.anchor().carried(pools.get(t).get(i).chain(), t, u),
 			pools.get(u).get(j).chain()), progress);
-		final List<Optional<FitQuality>> quality = new ArrayList<>();
-		for (int t = 0; t < pools.size(); t++)
-			quality.add(path.choice()[t] < 0
+		final List<Optional<FitLook>> seen = new ArrayList<>();
+		for (int t = 0; t < pools.size(); t++) {
+			progress.checkCancelled();
+			seen.add(path.choice()[t] < 0
 				? Optional.empty()
-				: Optional.of(this.quality.apply(t, pools.get(t).get(path.choice()[t]))));
-		final FitConfidence confidence = FitConfidence.learn(quality);
+				: Optional.of(looks.apply(t, chosen(t, path))));
+		}
+		final FitConfidence confidence = FitConfidence
+			.learn(seen.stream().map(s -> s.map(FitLook::quality)).toList());
 		final List<Observation> tracked = new ArrayList<>();
-		for (int t = 0; t < pools.size(); t++)
-			tracked.add(tracked(t, path, quality.get(t), confidence,
+		final List<Optional<FitEvidence>> evidence = new ArrayList<>();
+		for (int t = 0; t < pools.size(); t++) {
+			final int frame = t;
+			evidence.add(seen.get(t).filter(s -> isTrusted(s.quality()))
+				.map(s -> evidence(frame, path, s, confidence, motion)));
+			tracked.add(tracked(t, path, seen.get(t).map(FitLook::quality), evidence.get(t),
 				Optional.ofNullable(said.get(t))));
-		return tracked;
+		}
+		return new Solved(tracked, evidence,
+			IntStream.range(0, pools.size()).mapToDouble(
+				t -> path.choice()[t] < 0 ? Double.NaN : chosen(t, path).chain().length())
+				.toArray());
 	}
 
 	private Observation tracked(final int t, final TrellisPath path,
-		final Optional<FitQuality> quality, final FitConfidence confidence,
+		final Optional<FitQuality> quality, final Optional<FitEvidence> evidence,
 		final Optional<Restriction> said) {
 		final int frame = frames.get(t).frame();
-		final boolean lost = quality.isEmpty() || quality.get().dark() > LOST;
-		final boolean dark = lost || quality.get().dark() > UNRESOLVED;
 		final Optional<Polyline> given = said.flatMap(Restriction::contour);
 		if (given.isPresent())
 			return new Observation(frame, FrameStatus.CORRECTED, "Given by the user.",
-				Optional.of(dark ? given.get() : chosen(t, path).chain().contour()), junctions(t),
-				1, dark ? 0 : chosen(t, path).energy(), 1);
+				Optional.of(
+					evidence.isEmpty() ? given.get() : chosen(t, path).chain().contour()),
+				junctions(t), 1, evidence.isEmpty() ? 0 : chosen(t, path).energy(), 1);
 		if (said.isPresent() && pools.get(t).isEmpty())
 			return Observation.without(frame, FrameStatus.UNRESOLVED, said.get().unmet());
-		if (lost)
+		if (quality.isEmpty() || quality.get().dark() > LOST)
 			return Observation.without(frame, FrameStatus.LOST,
 				"No filament was found in this frame.");
-		if (dark)
+		if (evidence.isEmpty())
 			return Observation.without(frame, FrameStatus.UNRESOLVED,
 				"The best contour runs in the dark for " + Math.round(100 * quality.get().dark())
 					+ " % of its length.");
-		final Polyline contour = chosen(t, path).chain().contour();
+		return seen(t, path, evidence.get(), said);
+	}
+
+	private Observation seen(final int t, final TrellisPath path, final FitEvidence evidence,
+		final Optional<Restriction> said) {
+		final int frame = frames.get(t).frame();
+		final double confidence = FitConfidence.of(evidence);
+		final String doubt = FitConfidence.reason(evidence);
+		if (said.isEmpty() && confidence < FitConfidence.NONE)
+			return Observation.without(frame, FrameStatus.UNRESOLVED,
+				doubt.replace("Doubtful: ", "No contour can be trusted: "));
+		final Visible visible = Visible.of(chosen(t, path).chain().contour(), light.get(t));
+		final String limit = Outcome.limitReason(sets.get(t).limited());
 		return new Observation(frame,
 			said.isPresent() ? FrameStatus.CORRECTED : FrameStatus.RESOLVED,
-			said.map(Restriction::met).orElse(Outcome.limitReason(sets.get(t).limited())), Optional.of(contour), junctions(t),
-			pools.get(t).size(), chosen(t, path).energy(),
-			confidence.of(FitConfidence.gap(path, pools.get(t), t), quality.get(),
-				Uncovered.share(frames.get(t).graph(), contour)))
-					.withAlternatives(alternatives(t, path));
+			said.map(Restriction::met).orElse((doubt + " " + limit).trim()),
+			Optional.of(visible.contour()), junctions(t), pools.get(t).size(),
+			chosen(t, path).energy(), confidence).withVisible(visible.share())
+				.withAlternatives(alternatives(t, path));
 	}
 
 	/** The best of the other fits, at the price that the movie would have with them. */
@@ -115,6 +146,25 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 					chosen(t, path).energy() + Math.max(0, through[v] - path.total())));
 			});
 		return others;
+	}
+
+	private FitEvidence evidence(final int t, final TrellisPath path, final FitLook look,
+		final FitConfidence confidence, final MotionPrice motion) {
+		return new FitEvidence(FitConfidence.rival(FitConfidence.gap(path, pools.get(t), t)),
+			confidence.misfit(look.quality()), Math.log(Math.max(1, look.residue().pattern())),
+			look.quality().dark(), look.residue().unexplained(), look.residue().invented(),
+			look.beyond(), look.missing(), look.uncovered(), jump(t, path, motion));
+	}
+
+	/** How much farther than usual the chosen chain moved, from the frame before or to the next. */
+	private double jump(final int t, final TrellisPath path, final MotionPrice motion) {
+		double most = 1;
+		for (final int u : new int[]{t - 1, t + 1})
+			if (u >= 0 && u < pools.size() && path.choice()[u] >= 0)
+				most = Math.max(most, motion.multiple(
+					course.anchor().carried(chosen(t, path).chain(), t, u),
+					chosen(u, path).chain()));
+		return Math.log(most);
 	}
 
 	private Fit chosen(final int t, final TrellisPath path) {

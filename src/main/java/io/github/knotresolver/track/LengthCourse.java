@@ -15,10 +15,12 @@ import java.util.stream.Stream;
  * be worth its parameters and be visible.
  *
  * @param lengths in pixels by index of the frame
+ * @param others another length that is possible in a frame near a break: as it was before, or
+ *          as it is after; NaN elsewhere
  * @param kind which course it is
  * @param at index of the first frame after a break; 0 if there is none
  */
-record LengthCourse(double[] lengths, Kind kind, int at) {
+record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 
 	/** The kinds of courses. */
 	enum Kind {
@@ -52,7 +54,13 @@ record LengthCourse(double[] lengths, Kind kind, int at) {
 	static LengthCourse constant(final double length, final int frames) {
 		final double[] lengths = new double[frames];
 		Arrays.fill(lengths, length);
-		return new LengthCourse(lengths, Kind.CONSTANT, 0);
+		return unbroken(lengths, Kind.CONSTANT);
+	}
+
+	private static LengthCourse unbroken(final double[] lengths, final Kind kind) {
+		final double[] others = new double[lengths.length];
+		Arrays.fill(others, Double.NaN);
+		return new LengthCourse(lengths, others, kind, 0);
 	}
 
 	/**
@@ -81,6 +89,34 @@ record LengthCourse(double[] lengths, Kind kind, int at) {
 	/** Length in a frame in pixels. */
 	double of(final int index) {
 		return lengths[index];
+	}
+
+	/** Whether a length of a frame near a break is that of before or after. */
+	boolean isOpen(final int index) {
+		return Double.isFinite(others[index]);
+	}
+
+	/** The possible length of a frame that is nearest to another, in pixels. */
+	double nearest(final int index, final double length) {
+		return isOpen(index) && Math.abs(others[index] - length) < Math.abs(lengths[index] - length)
+			? others[index]
+			: lengths[index];
+	}
+
+	/** The same with what was found in frames near the break, in pixels. */
+	LengthCourse settled(final double[] found) {
+		if (at == 0)
+			return this;
+		final double[] settled = lengths.clone();
+		int first = at;
+		for (int t = 0; t < settled.length; t++)
+			if (isOpen(t))
+				settled[t] = nearest(t, found[t]);
+		while (first > 1 && isOpen(first - 1) && settled[first - 1] != lengths[first - 1])
+			first--;
+		while (first < settled.length && isOpen(first) && settled[first] != lengths[first])
+			first++;
+		return new LengthCourse(settled, others, kind, first);
 	}
 
 	/** Change of the length per frame in pixels, away from a break. */
@@ -146,8 +182,7 @@ record LengthCourse(double[] lengths, Kind kind, int at) {
 		}
 
 		private LengthCourse steady() {
-			return new LengthCourse(fill(new double[frames], 0, frames, line(0, known.length)),
-				Kind.STEADY, 0);
+			return unbroken(fill(new double[frames], 0, frames, line(0, known.length)), Kind.STEADY);
 		}
 
 		private LengthCourse broken(final int first, final boolean steady) {
@@ -158,10 +193,13 @@ record LengthCourse(double[] lengths, Kind kind, int at) {
 			final double[] after = steady
 				? line(first, known.length)
 				: new double[]{median(Arrays.copyOfRange(known, first, known.length)), 0};
-			final double[] lengths = new double[frames];
+			final double[] lengths = new double[frames], others = new double[frames];
 			fill(lengths, 0, at, before);
 			fill(lengths, at, frames, after);
-			return new LengthCourse(lengths, steady ? Kind.STEADY_AND_BROKEN : Kind.BROKEN, at);
+			Arrays.fill(others, Double.NaN);
+			fill(others, seen[first - 1] + 1, at, after);
+			fill(others, at, seen[first], before);
+			return new LengthCourse(lengths, others, steady ? Kind.STEADY_AND_BROKEN : Kind.BROKEN, at);
 		}
 
 		private LengthCourse wandering() {
@@ -171,7 +209,7 @@ record LengthCourse(double[] lengths, Kind kind, int at) {
 				all[seen[i]] = known[i];
 			final double[] errors = new double[frames];
 			Arrays.fill(errors, error);
-			return new LengthCourse(RandomWalk.through(all, errors).mean(), Kind.WANDERING, 0);
+			return unbroken(RandomWalk.through(all, errors).mean(), Kind.WANDERING);
 		}
 
 		/** Value at frame 0 and slope, by medians (Theil and Sen). */

@@ -72,6 +72,12 @@ record MotionPrice(double usualMotion, double usualTurn) {
 			: moved(a.resized(shorter), b.resized(shorter));
 	}
 
+	/** How many times as far as usual the part that both have moved. */
+	double multiple(final Chain a, final Chain b) {
+		final double shorter = Math.min(a.length(), b.length());
+		return a.resized(shorter).distance(b.resized(shorter)) / usualMotion;
+	}
+
 	private double moved(final Chain a, final Chain b) {
 		return price(a.distance(b) / usualMotion) + price(a.turn(b) / usualTurn);
 	}

@@ -69,7 +69,7 @@ final class Propagation {
 		/** A chain of one frame where and as long as it should be in another. */
 		Chain carried(final Chain chain, final int from, final int to) {
 			final Chain moved = course.anchor().carried(chain, from, to);
-			return freeLength ? moved : moved.resized(course.in(to).length());
+			return freeLength ? moved : moved.resized(course.length().nearest(to, moved.length()));
 		}
 	}
 

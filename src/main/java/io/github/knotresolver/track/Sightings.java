@@ -41,6 +41,12 @@ final class Sightings {
 	}
 
 	private record Seen(FrameView frame, Polyline contour, double price) {
+
+		/** Whether both ends are inside the picture. */
+		boolean isWhole() {
+			return !FreeEnds.atBorder(frame, contour.first())
+				&& !FreeEnds.atBorder(frame, contour.last());
+		}
 	}
 
 	/**
@@ -58,6 +64,11 @@ final class Sightings {
 		}
 		if (seen.isEmpty())
 			return List.of();
+		final List<Seen> whole = seen.stream().filter(Seen::isWhole).toList();
+		return of(whole.size() >= FEWEST_SIMPLE ? whole : seen);
+	}
+
+	private static List<Sighting> of(final List<Seen> seen) {
 		final List<Seen> simple = seen.stream().filter(s -> s.frame.graph().isUnbranched())
 			.toList();
 		final List<Seen> from = simple.size() >= FEWEST_SIMPLE ? simple : seen;

@@ -3,6 +3,7 @@ package io.github.knotresolver.track;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
@@ -18,35 +19,30 @@ import io.github.knotresolver.fit.FitQuality;
 
 class FitConfidenceTest {
 
-	private static final FitConfidence CONFIDENCE = new FitConfidence(2);
+	private static final int FIGURES = FitEvidence.NAMES.split(",").length;
 
-	private static final FitQuality USUAL = new FitQuality(2, 0);
+	private static FitEvidence evidence(final double... f) {
+		return new FitEvidence(f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8], f[9]);
+	}
 
-	@Test
-	void withoutAGapNothingIsSureAndAWideGapIs() {
-		assertEquals(0, CONFIDENCE.of(0, USUAL, 0), 1e-9);
-		final double[] gaps = {0, 0.2, 1, 3, 8, 30};
-		for (int i = 1; i < gaps.length; i++)
-			assertTrue(
-				CONFIDENCE.of(gaps[i], USUAL, 0) > CONFIDENCE.of(gaps[i - 1], USUAL, 0) + 1e-6,
-				"gap " + gaps[i]);
-		assertTrue(CONFIDENCE.of(30, USUAL, 0) > 0.95);
-		assertEquals(1, CONFIDENCE.of(Double.POSITIVE_INFINITY, USUAL, 0), 1e-9);
+	private static double confidence(final double... figures) {
+		return FitConfidence.of(evidence(figures));
 	}
 
 	@Test
-	void aContourThatDoesNotExplainItsFrameIsNotTrusted() {
-		assertEquals(CONFIDENCE.of(9, new FitQuality(0.5, 0), 0), CONFIDENCE.of(9, USUAL, 0), 0.2);
-		assertTrue(CONFIDENCE.of(9, new FitQuality(4, 0), 0) < 0.8 * CONFIDENCE.of(9, USUAL, 0));
-		assertTrue(CONFIDENCE.of(9, new FitQuality(20, 0), 0) < 0.05);
+	void whatNothingSpeaksAgainstIsSureAndNeedsNoReason() {
+		final double[] none = new double[FIGURES];
+		assertTrue(confidence(none) > 0.95, confidence(none) + "");
+		assertEquals("", FitConfidence.reason(evidence(none)));
 	}
 
 	@Test
-	void darknessAndWhatItDoesNotRunAlongSpeakAgainstIt() {
-		assertTrue(CONFIDENCE.of(9, new FitQuality(2, 0.5), 0) < 0.7 * CONFIDENCE.of(9, USUAL, 0));
-		assertTrue(CONFIDENCE.of(9, new FitQuality(2, 1), 0) < 0.05);
-		assertTrue(CONFIDENCE.of(9, USUAL, 0.7) < 0.7 * CONFIDENCE.of(9, USUAL, 0));
-		assertTrue(CONFIDENCE.of(9, USUAL, 1.5) < 0.05);
+	void whatEverythingSpeaksAgainstIsNotResolved() {
+		final double[] all = new double[FIGURES];
+		Arrays.fill(all, Double.POSITIVE_INFINITY);
+		assertTrue(confidence(all) < FitConfidence.NONE);
+		Arrays.fill(all, Double.NaN);
+		assertTrue(confidence(all) < FitConfidence.NONE);
 	}
 
 	@ParameterizedTest
@@ -54,17 +50,39 @@ class FitConfidenceTest {
 	void isAShareThatNothingWorseRaises(final long seed) {
 		final Random random = new Random(seed);
 		for (int i = 0; i < 200; i++) {
-			final double gap = 10 * random.nextDouble(), misfit = 8 * random.nextDouble(),
-				dark = random.nextDouble(), uncovered = 2 * random.nextDouble();
-			final double c = CONFIDENCE.of(gap, new FitQuality(misfit, dark), uncovered);
-			final String at = "seed " + seed + ", trial " + i;
-			assertTrue(c >= 0 && c <= 1, at);
-			assertTrue(CONFIDENCE.of(gap / 2, new FitQuality(misfit, dark), uncovered) <= c, at);
-			assertTrue(CONFIDENCE.of(gap, new FitQuality(2 * misfit, dark), uncovered) <= c, at);
-			assertTrue(CONFIDENCE.of(gap, new FitQuality(misfit, (1 + dark) / 2), uncovered) <= c,
-				at);
-			assertTrue(CONFIDENCE.of(gap, new FitQuality(misfit, dark), uncovered + 0.2) <= c, at);
+			final double[] figures = random.doubles(FIGURES, 0, 0.4).toArray();
+			final double before = confidence(figures);
+			assertTrue(before >= 0 && before <= 1);
+			for (int k = 0; k < FIGURES; k++) {
+				final double[] worse = figures.clone();
+				worse[k] += random.nextDouble();
+				assertTrue(confidence(worse) <= before,
+					"seed " + seed + ", trial " + i + ", figure " + k);
+			}
 		}
+	}
+
+	@Test
+	void aReasonNamesWhatSpeaksAgainstAContour() {
+		final double[] figures = new double[FIGURES];
+		figures[0] = 1;
+		figures[4] = 0.5;
+		figures[6] = 1;
+		final String reason = FitConfidence.reason(evidence(figures));
+		assertTrue(confidence(figures) < 0.9);
+		assertTrue(reason.startsWith("Doubtful: ") && reason.endsWith("."), reason);
+		assertTrue(reason.contains(FitEvidence.words(4)) || reason.contains(FitEvidence.words(0))
+			|| reason.contains(FitEvidence.words(6)), reason);
+	}
+
+	@Test
+	void aWideGapIsNoRivalAndAUsualMisfitNone() {
+		assertEquals(1, FitConfidence.rival(0), 1e-9);
+		assertEquals(0, FitConfidence.rival(Double.POSITIVE_INFINITY), 1e-9);
+		assertTrue(FitConfidence.rival(1) > FitConfidence.rival(3));
+		final FitConfidence confidence = new FitConfidence(2);
+		assertEquals(0, confidence.misfit(new FitQuality(1.5, 0)), 1e-9);
+		assertEquals(Math.log(3), confidence.misfit(new FitQuality(6, 0)), 1e-9);
 	}
 
 	@Test
@@ -72,8 +90,7 @@ class FitConfidenceTest {
 		final List<Optional<FitQuality>> movie = List.of(quality(9), quality(1), Optional.empty(),
 			quality(3), quality(2), quality(100));
 		assertEquals(3, FitConfidence.learn(movie).usualMisfit());
-		final double none = FitConfidence.learn(List.of(Optional.empty())).of(3, USUAL, 0);
-		assertTrue(none >= 0 && none <= 1);
+		assertTrue(FitConfidence.learn(List.of(Optional.empty())).usualMisfit() > 0);
 	}
 
 	@Test

@@ -1,0 +1,75 @@
+package io.github.knotresolver.fit;
+
+import io.github.knotresolver.image.GaussianBlur;
+
+/**
+ * What a chain leaves unexplained in its frame. The residual is blurred by the line's own
+ * width, so that a piece of line stands out of the noise.
+ *
+ * @param unexplained length of line that is seen near the chain but not drawn, as a share of
+ *          the chain's length, at least 0
+ * @param invented length of line that is drawn but not seen, as a share of the chain's length,
+ *          at least 0
+ * @param pattern root mean square of the residual around the chain, in units of the frame's
+ *          noise; about 1 if nothing but noise is left
+ */
+public record Residue(double unexplained, double invented, double pattern) {
+
+	/** Light within this distance of the chain (pixels) is near. */
+	private static final double NEAR = 10;
+
+	/** Pixels within this distance (pixels) are around the chain. */
+	private static final double AROUND = 6;
+
+	/** A line of this brightness, in strands', is seen, if it is as far above the noise. */
+	private static final double SEEN = 0.25, NOISES = 5;
+
+	/** A line of a strand's brightness, blurred by its own width, is above half of its peak so far (sigmas). */
+	private static final double WIDTH = 3.3;
+
+	/** Residuals beyond this, in strands' brightnesses, count as this. */
+	private static final double OUTLIER = 0.5;
+
+	/** Noise below this (strands' brightnesses) cannot be told from errors of the model. */
+	private static final double LEAST_NOISE = 0.02;
+
+	/**
+	 * Looks at a chain in its frame. O(pixels).
+	 *
+	 * @param frame the frame, a strand's brightness 1
+	 * @param model what a line looks like
+	 * @param chain the chain
+	 * @return what is left
+	 */
+	public static Residue of(final NormalizedFrame frame, final LineModel model,
+		final Chain chain) {
+		final double[] picture = Neighbourhood.draw(frame, model, chain);
+		final double noise = Math.max(LEAST_NOISE, frame.noise());
+		final float[] residual = new float[picture.length];
+		for (int i = 0; i < picture.length; i++)
+			residual[i] = (float) Math.max(-OUTLIER * 2,
+				Math.min(OUTLIER * 2, frame.pixels()[i] - picture[i]));
+		final double sigma = Math.max(1, model.sigma());
+		final float[] blurred = GaussianBlur.blur(residual, frame.width(), sigma);
+		final double threshold = Math.max(SEEN,
+			NOISES * noise / (2 * Math.sqrt(Math.PI) * sigma));
+		final boolean[] near = Neighbourhood.of(frame, chain, NEAR),
+			around = Neighbourhood.of(frame, chain, AROUND);
+		int more = 0, less = 0, count = 0;
+		double sum = 0;
+		for (int i = 0; i < picture.length; i++) {
+			if (near[i] && blurred[i] > threshold)
+				more++;
+			if (near[i] && blurred[i] < -threshold)
+				less++;
+			if (around[i]) {
+				final double r = Math.min(OUTLIER, Math.abs(residual[i]));
+				sum += r * r;
+				count++;
+			}
+		}
+		final double line = WIDTH * sigma * chain.length();
+		return new Residue(more / line, less / line,
+			Math.sqrt(sum / Math.max(1, count)) / noise);
+	}
+}

@@ -1,0 +1,68 @@
+package io.github.knotresolver.track;
+
+import java.util.Locale;
+
+/**
+ * What can be seen of a chosen contour after the fact, each as a figure that is 0 if nothing
+ * speaks against it and grows with what does.
+ *
+ * @param rival how cheap a movie with a visibly different contour in this frame is: 1 if it
+ *          costs the same, falling to 0
+ * @param misfit logarithm of how much worse than usual the contour explains the frame
+ * @param pattern logarithm of the residual around the contour in units of the noise
+ * @param dark share of the contour that runs in the dark
+ * @param unexplained line that is seen near the contour but not on it, as a share of its length
+ * @param invented line that is drawn but not seen, as a share of its length
+ * @param beyond brightness of the light beyond the tip or before the fixed end, relative to
+ *          the end's; 0 if it is not sure
+ * @param missing how much light is missing at the tip: 0 if it ends in the light, 1 if the
+ *          last piece is dark
+ * @param uncovered skeleton of the objects that it touches but does not run along, as a share
+ *          of its length
+ * @param jump logarithm of how much farther than usual it moved from or to a neighbour in time
+ */
+public record FitEvidence(double rival, double misfit, double pattern, double dark,
+	double unexplained, double invented, double beyond, double missing, double uncovered,
+	double jump) {
+
+	/** Each figure is cut off here: more of it makes nothing worse. */
+	private static final double[] MOST = {1, 2, 3, 0.5, 0.5, 0.5, 1, 1, 1, 3};
+
+	/** Names of the figures, in order. */
+	public static final String NAMES = "rival,misfit,pattern,dark,unexplained,invented,beyond,missing,uncovered,jump";
+
+	private static final String[] WORDS = {
+		"a different contour explains the movie nearly as well",
+		"the contour explains this frame worse than others are explained",
+		"light around the contour differs from what is expected, beyond noise",
+		"parts of the contour run in the dark", "there is a line near the contour that is not on it",
+		"the contour crosses or runs along places that are darker than expected",
+		"light goes on beyond an end of the contour", "the contour's tip is in the dark",
+		"the contour leaves out parts of the object that it touches",
+		"the contour moved much farther than usual since the frame before or to the next"};
+
+	/** The figures in the order of their names, none negative, none above what matters. */
+	public double[] figures() {
+		final double[] figures = {rival, misfit, pattern, dark, unexplained, invented, beyond,
+			missing, uncovered, jump};
+		for (int i = 0; i < figures.length; i++)
+			figures[i] = Double.isNaN(figures[i])
+				? MOST[i]
+				: Math.max(0, Math.min(MOST[i], figures[i]));
+		return figures;
+	}
+
+	/** A figure in words, as the reason of a low confidence. */
+	static String words(final int figure) {
+		return WORDS[figure];
+	}
+
+	@Override
+	public String toString() {
+		final StringBuilder text = new StringBuilder();
+		for (final double figure : figures())
+			text.append(text.length() == 0 ? "" : ",")
+				.append(String.format(Locale.ROOT, "%.5f", figure));
+		return text.toString();
+	}
+}

@@ -1,0 +1,33 @@
+package io.github.knotresolver.track;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.EndLight;
+import io.github.knotresolver.fit.FitQuality;
+import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.fit.NormalizedFrame;
+import io.github.knotresolver.fit.Residue;
+
+/**
+ * A look at a contour in its frame, for itself.
+ *
+ * @param quality how well it agrees with the frame
+ * @param residue what it leaves unexplained
+ * @param beyond brightness of the light beyond an end, relative to the end's; 0 if not sure
+ * @param missing share of the light that is missing at the tip, 0..1
+ * @param uncovered skeleton of the objects that it touches but does not run along, as a share
+ *          of its length
+ */
+record FitLook(FitQuality quality, Residue residue, double beyond, double missing,
+	double uncovered) {
+
+	/** O(pixels). */
+	static FitLook at(final FrameView frame, final NormalizedFrame light, final LineModel model,
+		final Chain chain) {
+		final EndLight ends = new EndLight(light, model, light.noise());
+		final EndLight.Piece last = ends.beforeTip(chain);
+		return new FitLook(FitQuality.of(light, model, chain), Residue.of(light, model, chain),
+			ends.beyond(chain),
+			last.isSeen() ? Math.max(0, Math.min(1, 1 - last.brightness())) : 0,
+			Uncovered.share(frame.graph(), chain.contour()));
+	}
+}

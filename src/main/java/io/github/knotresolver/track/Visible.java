@@ -1,0 +1,36 @@
+package io.github.knotresolver.track;
+
+import io.github.knotresolver.fit.NormalizedFrame;
+import io.github.knotresolver.geometry.Polyline;
+
+/**
+ * The part of a contour inside the picture: a filament may leave it, and what is outside
+ * cannot be seen.
+ *
+ * @param contour up to where it first leaves the picture, at least two points
+ * @param share that part's share of the length, 0..1
+ */
+record Visible(Polyline contour, double share) {
+
+	/** A pixel reaches half a pixel beyond its centre. */
+	private static final double HALF = 0.5;
+
+	/**
+	 * @param contour in pixels, fixed end first, at least two points
+	 * @param frame the picture
+	 * @return the part inside; the whole contour if it begins outside
+	 */
+	static Visible of(final Polyline contour, final NormalizedFrame frame) {
+		int inside = 0;
+		while (inside < contour.size() && contour.x(inside) > -HALF && contour.y(inside) > -HALF
+			&& contour.x(inside) < frame.width() - HALF
+			&& contour.y(inside) < frame.height() - HALF)
+			inside++;
+		if (inside < 2 || inside == contour.size())
+			return new Visible(contour, 1);
+		double length = 0;
+		for (int i = 1; i < inside; i++)
+			length += contour.point(i).distanceTo(contour.point(i - 1));
+		return new Visible(contour.head(length), length / contour.length());
+	}
+}
