@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.candidate.TrailCandidates;
 import io.github.knotresolver.contour.DiscreteFrechet;
@@ -29,7 +30,6 @@ import io.github.knotresolver.track.FitEvidence;
 import io.github.knotresolver.track.FitResolver;
 import io.github.knotresolver.track.FitResolver.Resolved;
 import io.github.knotresolver.track.FixedEndFinder;
-import io.github.knotresolver.track.FrameView;
 
 /**
  * What can be seen of every contour of movies with known truth, and whether it is right: what
@@ -65,36 +65,37 @@ public final class ConfidenceMain {
 		final String name = file.getFileName().toString().replaceFirst("\\.tif$", "");
 		final Map<Integer, Polyline> truth = truth(
 			file.resolveSibling(name.replaceFirst("_snr.*", "") + "_gt.csv"));
-		final Optional<Resolved> found = resolve(file);
-		if (found.isEmpty())
-			return;
-		for (int t = 0; t < found.get().frames().size(); t++) {
-			final Observation frame = found.get().frames().get(t);
-			final Optional<FitEvidence> evidence = found.get().evidence().get(t);
-			final Polyline right = truth.get(frame.frame());
-			if (right == null || frame.contour().isEmpty() || evidence.isEmpty())
-				continue;
-			final double off = DiscreteFrechet.distance(right, frame.contour().get());
-			out.println(name + "," + frame.frame() + "," + (off < RIGHT ? 1 : 0) + ","
-				+ frame.confidence() + "," + evidence.get());
-		}
-		System.err.println(name);
-	}
-
-	private static Optional<Resolved> resolve(final Path file) {
 		final Movie movie = ImageMovie.of(ImageFile.open(file), InputOptions.DEFAULT);
 		final Settings settings = RunOptions.parse(Map.of()).settings(movie, Map.of());
 		final List<Integer> wanted = new FrameChoice(movie, settings).frames();
 		try (Workers workers = new Workers(settings.threads())) {
-			final List<FrameView> frames = new FramePreparer(movie, settings).prepare(wanted,
-				workers, Progress.NONE);
-			final Optional<Point> end = new FixedEndFinder(frames, Progress.NONE).find();
-			return end.flatMap(e -> new FitResolver(TrailCandidates.DEFAULT,
-				Clipping.of(movie, wanted).kinds(), settings.lengthModel(), workers, Progress.NONE)
-					.resolve(frames, e, settings.length(), Map.of()));
+			final PreparedMovie prepared = PreparedMovie.of(movie, settings, wanted, workers,
+				Progress.NONE);
+			new FixedEndFinder(prepared.frames(), Progress.NONE).find()
+				.flatMap(end -> new FitResolver(TrailCandidates.DEFAULT, prepared.kinds(),
+					settings.lengthModel(), workers, Progress.NONE).resolve(prepared.frames(),
+						end, settings.length(), Map.of()))
+				.ifPresent(found -> write(name, prepared, found, truth, out));
 		} catch (final IllegalArgumentException e) {
 			System.err.println(file + ": " + e.getMessage());
-			return Optional.empty();
+		}
+		System.err.println(name);
+	}
+
+	private static void write(final String name, final PreparedMovie prepared,
+		final Resolved found, final Map<Integer, Polyline> truth, final PrintStream out) {
+		for (int t = 0; t < found.frames().size(); t++) {
+			final Observation frame = found.frames().get(t);
+			final Optional<FitEvidence> evidence = found.evidence().get(t);
+			final Polyline right = truth.get(frame.frame());
+			if (right == null || frame.contour().isEmpty() || evidence.isEmpty())
+				continue;
+			final Polyline contour = frame.contour().get();
+			final double off = DiscreteFrechet.distance(right, Polyline.of(IntStream
+				.range(0, contour.size()).mapToObj(i -> prepared.pixels().out(contour.point(i)))
+				.toList()));
+			out.println(name + "," + frame.frame() + "," + (off < RIGHT ? 1 : 0) + ","
+				+ frame.confidence() + "," + evidence.get());
 		}
 	}
 
