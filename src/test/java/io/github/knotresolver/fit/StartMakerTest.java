@@ -1,5 +1,6 @@
 package io.github.knotresolver.fit;
 
+import java.util.List;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import org.junit.jupiter.api.Test;
@@ -42,5 +43,15 @@ class StartMakerTest {
 			.head(contour.length() - 12);
 		for (int i = 0; i < middle.size(); i++)
 			assertEquals(radius, middle.point(i).distanceTo(new Point(50, 50)), 0.02, "point " + i);
+	}
+
+	@Test
+	void aFilamentThatLeavesThePictureGoesStraightOn() {
+		final Polyline seen = Polyline
+			.of(List.of(new Point(0, 10), new Point(10, 10), new Point(20, 10)));
+		final Chain chain = StartMaker.leaving(seen, new Point(0, 10), 50, 60);
+		assertEquals(60, chain.length(), 1e-9);
+		assertEquals(0, chain.tip().distanceTo(new Point(60, 10)), 1e-6);
+		assertEquals(15, StartMaker.leaving(seen, new Point(0, 10), 50, 15).length(), 1e-9);
 	}
 }

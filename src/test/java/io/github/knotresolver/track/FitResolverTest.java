@@ -195,4 +195,32 @@ class FitResolverTest {
 			assertEquals(truth.get(t).length(), found.get(t).contour().orElseThrow().length(), 1,
 				"frame " + t);
 	}
+
+	@ParameterizedTest
+	@ValueSource(ints = {8, 12})
+	void aFilamentThatBreaksIsFollowedAcrossTheFrameOfTheBreak(final int frame) {
+		final List<Chain> truth = new ArrayList<>();
+		for (int t = 0; t < 20; t++)
+			truth.add(DrawnMovie.wave(t, 90, 2.6).resized(t < frame ? 90 : 52));
+		final List<Observation> found = resolve(DrawnFrames.of(truth, LINE, t -> 1),
+			TrailCandidates.DEFAULT, truth.get(0), Map.of());
+		for (int t = 0; t < truth.size(); t++)
+			assertEquals(truth.get(t).length(), found.get(t).contour().orElseThrow().length(), 1,
+				"frame " + t);
+	}
+
+	@Test
+	void aFilamentThatLeavesThePictureEndsAtItsBorder() {
+		final List<Chain> leaving = new ArrayList<>();
+		for (int t = 0; t < 16; t++)
+			leaving.add(DrawnMovie.wave(t, 80, 0.8).shifted(t < 6 ? 0 : 24, 0));
+		final List<Observation> found = resolve(DrawnFrames.of(leaving, LINE, t -> 1),
+			TrailCandidates.DEFAULT, leaving.get(0), Map.of());
+		for (int t = 0; t < leaving.size(); t++) {
+			final boolean inside = leaving.get(t).tip().x() < DrawnMovie.SIZE - 1;
+			assertEquals(inside, found.get(t).visible() == 1, "frame " + t);
+			assertEquals(leaving.get(t).length() * found.get(t).visible(),
+				found.get(t).contour().orElseThrow().length(), 1.5, "frame " + t);
+		}
+	}
 }
