@@ -11,7 +11,13 @@ import numpy as np
 from scipy.optimize import minimize
 
 # Weight of the weights: keeps a figure that says little small.
-RIDGE = 0.02
+RIDGE = 0.0005
+
+# The least constant: a contour that nothing speaks against is believed.
+LEAST_CONSTANT = 5
+
+# Figures are cut off here, as FitEvidence does; a table may have been made before.
+MOST = [1, 2, 1, .5, .25, .5, 1, 1, 1, 3]
 
 
 def read(path):
@@ -20,7 +26,7 @@ def read(path):
     names = list(rows[0])[4:]
     condition = np.array([r['movie'].split('_')[0] if not r['movie'].startswith(('static_', 'glide_c'))
                           else '_'.join(r['movie'].split('_')[:2]) for r in rows])
-    figures = np.array([[float(r[n]) for n in names] for r in rows])
+    figures = np.minimum(MOST, [[float(r[n]) for n in names] for r in rows])
     return names, condition, figures, np.array([r['right'] == '1' for r in rows]), rows
 
 
@@ -40,7 +46,7 @@ def fit(figures, right):
                 np.r_[slope.sum() / n, -(figures.T @ slope) / n + 2 * RIDGE * p[1:] / len(p)])
 
     start = np.r_[5.0, np.ones(figures.shape[1])]
-    found = minimize(price, start, jac=True, bounds=[(None, 9)] + [(0, 30)] * figures.shape[1])
+    found = minimize(price, start, jac=True, bounds=[(LEAST_CONSTANT, 9)] + [(0, 30)] * figures.shape[1])
     return found.x
 
 
@@ -53,8 +59,9 @@ def reliability(title, confidence, right, condition):
         if some.any():
             print(f'| {low:.2f}-{min(1, high):.2f} | {some.sum()} | {confidence[some].mean():.3f} | {100 * right[some].mean():.1f} % |')
     sure = confidence > .9
-    print(f'above 0.9: {100 * right[sure].mean():.2f} % right; silent {100 * (sure & ~right).mean():.2f} % of all; '
-          f'right frames below 0.6: {100 * ((confidence < .6) & right).sum() / max(1, right.sum()):.1f} %')
+    if sure.any():
+        print(f'above 0.9: {100 * right[sure].mean():.2f} % right; silent {100 * (sure & ~right).mean():.2f} % of all; '
+              f'right frames below 0.6: {100 * ((confidence < .6) & right).sum() / max(1, right.sum()):.1f} %')
     for name in np.unique(condition[sure & ~right]):
         some = condition == name
         print(f'  silent in {name}: {100 * (sure & ~right & some).sum() / some.sum():.1f} %')

@@ -24,7 +24,7 @@ record FitConfidence(double usualMisfit) {
 	private static final double VISIBLE = 2.5;
 
 	/** Below this, a contour cannot be called resolved. */
-	static final double NONE = 0.02;
+	static final double NONE = 0.001;
 
 	/** From this on nothing needs to be said. */
 	private static final double SURE = 0.9;
@@ -32,10 +32,10 @@ record FitConfidence(double usualMisfit) {
 	/** A figure that lowers the logit by less is not a reason. */
 	private static final double NOTICEABLE = 0.7;
 
-	private static final double CONSTANT = 7;
+	private static final double CONSTANT = 9;
 
 	/** In the order of {@link FitEvidence#NAMES}. */
-	private static final double[] WEIGHTS = {5, 3, 1.5, 12, 8, 8, 5, 4, 4, 1.5};
+	private static final double[] WEIGHTS = {5.14, 0, 7.17, 7.52, 15.33, 7.01, 2.64, 5.46, 2.67, 0};
 
 	static FitConfidence learn(final List<Optional<FitQuality>> quality) {
 		final double[] misfits = quality.stream().flatMap(Optional::stream)

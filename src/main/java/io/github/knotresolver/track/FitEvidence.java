@@ -26,7 +26,7 @@ public record FitEvidence(double rival, double misfit, double pattern, double da
 	double jump) {
 
 	/** Each figure is cut off here: more of it makes nothing worse. */
-	private static final double[] MOST = {1, 2, 3, 0.5, 0.5, 0.5, 1, 1, 1, 3};
+	private static final double[] MOST = {1, 2, 1, 0.5, 0.25, 0.5, 1, 1, 1, 3};
 
 	/** Names of the figures, in order. */
 	public static final String NAMES = "rival,misfit,pattern,dark,unexplained,invented,beyond,missing,uncovered,jump";

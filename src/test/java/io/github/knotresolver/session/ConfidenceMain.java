@@ -1,4 +1,4 @@
-package io.github.knotresolver.pipeline;
+package io.github.knotresolver.session;
 
 import java.io.IOException;
 import java.io.PrintStream;
@@ -66,15 +66,16 @@ public final class ConfidenceMain {
 		final Map<Integer, Polyline> truth = truth(
 			file.resolveSibling(name.replaceFirst("_snr.*", "") + "_gt.csv"));
 		final Movie movie = ImageMovie.of(ImageFile.open(file), InputOptions.DEFAULT);
-		final Settings settings = RunOptions.parse(Map.of()).settings(movie, Map.of());
+		final Settings settings = RunOptions.parse(Map.of()).settings(movie, List.of());
 		final List<Integer> wanted = new FrameChoice(movie, settings).frames();
 		try (Workers workers = new Workers(settings.threads())) {
 			final PreparedMovie prepared = PreparedMovie.of(movie, settings, wanted, workers,
 				Progress.NONE);
 			new FixedEndFinder(prepared.frames(), Progress.NONE).find()
 				.flatMap(end -> new FitResolver(TrailCandidates.DEFAULT, prepared.kinds(),
-					settings.lengthModel(), workers, Progress.NONE).resolve(prepared.frames(),
-						end, settings.length(), Map.of()))
+					settings.lengthModel(), workers, Progress.NONE)
+						.learn(prepared.frames(), end, settings.length()))
+				.map(solver -> solver.solve(List.of(), workers, Progress.NONE))
 				.ifPresent(found -> write(name, prepared, found, truth, out));
 		} catch (final IllegalArgumentException e) {
 			System.err.println(file + ": " + e.getMessage());
