@@ -7,6 +7,8 @@ import net.imglib2.img.Img;
 import net.imglib2.type.numeric.RealType;
 import net.imglib2.type.numeric.real.FloatType;
 
+import io.github.knotresolver.progress.Cancellation;
+
 /**
  * How much a frame looks like a bright line, at every pixel: the second derivative
  * across, averaged along, in the best of eight directions. What varies slowly (background,
@@ -155,8 +157,10 @@ public final class RidgeStrength {
 		}
 
 		RidgeStrength best() {
-			for (int k = 0; k < DIRECTIONS; k++)
+			for (int k = 0; k < DIRECTIONS; k++) {
+				Cancellation.check();
 				look(k);
+			}
 			return new RidgeStrength(width, best, argument, noise.field());
 		}
 
