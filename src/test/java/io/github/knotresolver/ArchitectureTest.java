@@ -2,9 +2,15 @@
 package io.github.knotresolver;
 
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
@@ -21,6 +27,8 @@ class ArchitectureTest {
 	private static final List<String> ROOMS = List.of("geometry", "progress", "model", "image", "mask",
 		"skeleton", "graph", "candidate", "contour", "fit", "track", "paper", "session",
 		"measure", "simulate", "evaluate", "options", "io", "run", "imagej", "command", "cli");
+
+	private static final int LARGEST = 250;
 
 	private static final JavaClasses CLASSES = new ClassFileImporter()
 		.withImportOption(new ImportOption.DoNotIncludeTests())
@@ -64,6 +72,21 @@ class ArchitectureTest {
 			.resideOutsideOfPackages(ROOT + "graph..", ROOT + "candidate..", ROOT + "track..",
 				ROOT + "paper..")
 			.should().dependOnClassesThat().resideInAnyPackage("org.jgrapht..").check(CLASSES);
+	}
+
+	/** Lines that are neither blank nor comments. */
+	@Test
+	void noClassIsLargerThanAPersonKeepsInMind() throws IOException {
+		final List<String> large = new ArrayList<>();
+		try (Stream<Path> files = Files.walk(Path.of("src/main/java"))) {
+			for (final Path file : files.filter(f -> f.toString().endsWith(".java")).toList()) {
+				final long lines = Files.readString(file).replaceAll("(?s)/\\*.*?\\*/", "").lines()
+					.map(String::strip).filter(l -> !l.isEmpty() && !l.startsWith("//")).count();
+				if (lines > LARGEST)
+					large.add(file.getFileName() + " has " + lines);
+			}
+		}
+		assertEquals(List.of(), large, "files of more than " + LARGEST + " lines of code");
 	}
 
 	private static String[] append(final String[] rooms, final String last) {

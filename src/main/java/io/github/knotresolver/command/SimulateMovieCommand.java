@@ -35,7 +35,7 @@ import io.github.knotresolver.simulate.SimulationParameters;
 
 /**
  * {@code Simulate Movie...}: a clamped filament over motors, as a movie with
- * known truth. The command line has more of the model's parameters.
+ * known truth.
  */
 @Plugin(type = Command.class, label = "Simulate Movie...", attrs = @Attr(name = "no-legacy"))
 public class SimulateMovieCommand extends KnotCommand {

@@ -1,5 +1,13 @@
 package io.github.knotresolver.fit;
 
+import io.github.knotresolver.fit.LineEstimator.Estimate;
+import io.github.knotresolver.fit.LineEstimator.Example;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.geometry.RobustStatistics;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
@@ -8,13 +16,6 @@ import java.util.List;
 import java.util.Optional;
 
 import org.apache.commons.math3.stat.descriptive.rank.Median;
-
-import io.github.knotresolver.fit.LineEstimator.Estimate;
-import io.github.knotresolver.fit.LineEstimator.Example;
-import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.progress.Workers;
 
 /**
  * Learns the line model, the filament's length and its fixed end from frames in
@@ -138,10 +139,10 @@ public final class FilamentEstimator {
 			.toArray();
 		final double length = good.length == 0 ? middle : median(good);
 		final double[] off = Arrays.stream(good).map(l -> Math.abs(l - length)).sorted().toArray();
-		// 1.4826 MAD is a standard deviation, 1.2533 that of a median over that of a mean.
 		final double error = good.length < FEWEST_VOTES
 			? Double.NaN
-			: 1.4826 * median(off) * 1.2533 / Math.sqrt(good.length);
+			: RobustStatistics.MAD_TO_SD * median(off)
+				* RobustStatistics.MEDIAN_TO_MEAN_ERROR / Math.sqrt(good.length);
 		final double x = median(
 			examples.stream().mapToDouble(e -> e.chain().start().x()).sorted().toArray());
 		final double y = median(

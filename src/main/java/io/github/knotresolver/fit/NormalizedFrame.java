@@ -4,7 +4,8 @@ import io.github.knotresolver.image.GaussianBlur;
 import io.github.knotresolver.image.PixelNoise;
 
 /**
- * A frame in the units of the fit: background 0, a single bright strand 1.
+ * A frame above its background, which is 0. The fit takes it {@link #rescaled} to a single
+ * bright strand of 1; before that it is in the movie's grey values.
  *
  * @param width in pixels
  * @param height in pixels

@@ -1,5 +1,7 @@
 package io.github.knotresolver.image;
 
+import io.github.knotresolver.geometry.RobustStatistics;
+
 import java.util.Arrays;
 
 import net.imglib2.RandomAccessibleInterval;
@@ -25,9 +27,6 @@ public final class Background {
 
 	/** Rounds in which outliers are left out. */
 	private static final int ROUNDS = 2;
-
-	/** Standard deviation over median magnitude of a normal distribution. */
-	private static final double NORMAL = 1.4826;
 
 	private Background() {
 	}
@@ -87,7 +86,7 @@ public final class Background {
 			return 0;
 		Arrays.sort(off, 0, count);
 		// All alike: nothing sticks out.
-		return off[count / 2] > 0 ? NORMAL * off[count / 2] : Double.POSITIVE_INFINITY;
+		return off[count / 2] > 0 ? RobustStatistics.MAD_TO_SD * off[count / 2] : Double.POSITIVE_INFINITY;
 	}
 
 	private static float[] smooth(final float[] pixels, final int width, final boolean[] out) {

@@ -16,7 +16,7 @@ import io.github.knotresolver.progress.Cancellation;
  * errors the autocorrelation that the smoothing would leave is known exactly,
  * because the smoothing is linear. Two shapes, exp(-d/range) as of a first-order
  * autoregressive process and exp(-d²/(2 range²)) as of a smooth fit, are tried
- * at ranges up to a quarter of the window: what is smoother than that looks like
+ * at ranges up to 0.35 of the window: what is smoother than that looks like
  * the filament itself and leaves no trace.
  *
  * @param gaussian whether it falls like a Gaussian, else exponentially

@@ -1,12 +1,13 @@
 
 package io.github.knotresolver.measure;
 
+import io.github.knotresolver.geometry.RobustStatistics;
+import io.github.knotresolver.measure.ErrorCorrelation.Kind;
+
 import java.util.Collection;
 import java.util.function.ToDoubleFunction;
 
 import org.apache.commons.math3.stat.descriptive.rank.Median;
-
-import io.github.knotresolver.measure.ErrorCorrelation.Kind;
 
 /**
  * What is known of the errors of contours that were smoothed alike.
@@ -21,8 +22,6 @@ record ErrorModel(NoiseGain fit, NoiseGain residual, boolean held) {
 
 	/** Fewer lengths do not tell whether they scatter. */
 	private static final int FEWEST = 5;
-	/** Makes the median absolute deviation a standard deviation. */
-	private static final double MAD_TO_SD = 1.4826;
 
 	/**
 	 * Learns how alike neighbouring points err from the residuals of all contours
@@ -60,7 +59,7 @@ record ErrorModel(NoiseGain fit, NoiseGain residual, boolean held) {
 		if (contours.size() < FEWEST)
 			return false;
 		final double length = median(contours, SmoothedContour::traced);
-		final double scatter = MAD_TO_SD * median(contours, k -> Math.abs(k.traced() - length));
+		final double scatter = RobustStatistics.MAD_TO_SD * median(contours, k -> Math.abs(k.traced() - length));
 		return scatter < median(contours, k -> k.wide().sigma(residual));
 	}
 

@@ -47,7 +47,7 @@ public record Smoothing(double window, int order) {
 	 * the data: wide where points are noisy and the filament is straight, narrow
 	 * where they are exact or the filament is tightly bent. One window for all
 	 * contours of a movie makes their curvatures comparable. The width is that for
-	 * the curvature, 7 % less than for the points. O(points × widths), bounded by a
+	 * the curvature, 0.85 of that for the points. O(points × widths), bounded by a
 	 * sample of the points.
 	 *
 	 * @param contoursPx contours in pixels, at least one with three points

@@ -24,7 +24,7 @@ public record Segmentation(Steps steps, Polarity polarity, OptionalDouble thresh
 		EVIDENCE,
 		/** In every frame a threshold, then the active contour. */
 		BOTH,
-		/** A threshold alone; the active contour's parameters have no say. */
+		/** A threshold alone; the active contour's parameters are not used. */
 		THRESHOLD,
 		/**
 		 * Only the first frame has a threshold; the active contour then goes on from

@@ -30,7 +30,7 @@ public final class FrameSkeletons {
 	 * Cleans, segments and thins the frames that the parameters ask for.
 	 *
 	 * @param movie the movie; only read
-	 * @param parameters how; candidates and resolver have no say but for the
+	 * @param parameters how; candidates and resolver only decide the
 	 *          automatic threshold, which is Otsu's in the published method
 	 * @param progress told how far the work is; may cancel
 	 * @return a one-pixel line for each wanted frame, in order, of a frame's size

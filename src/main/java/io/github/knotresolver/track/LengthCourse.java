@@ -1,8 +1,9 @@
 package io.github.knotresolver.track;
 
+import io.github.knotresolver.geometry.RobustStatistics;
+
 import java.util.Arrays;
 import java.util.Comparator;
-import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -47,8 +48,6 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 
 	/** A wandering length has a parameter for so many frames. */
 	private static final double WANDERING_FRAMES = 5;
-
-	private static final double MAD_TO_SD = 1.4826;
 
 	/** The same length in all frames. */
 	static LengthCourse constant(final double length, final int frames) {
@@ -149,7 +148,7 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 			final double[] off = IntStream.range(1, known.length - 1)
 				.mapToDouble(i -> Math.abs(known[i] - 0.5 * (known[i - 1] + known[i + 1])))
 				.toArray();
-			return MAD_TO_SD * median(off) / Math.sqrt(1.5);
+			return RobustStatistics.MAD_TO_SD * median(off) / Math.sqrt(1.5);
 		}
 
 		Optional<LengthCourse> best() {

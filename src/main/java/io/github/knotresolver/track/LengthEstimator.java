@@ -1,15 +1,16 @@
 package io.github.knotresolver.track;
 
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.RobustStatistics;
+import io.github.knotresolver.graph.RootedGraph;
+import io.github.knotresolver.graph.SkeletonGraph;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 
 import org.apache.commons.math3.stat.descriptive.rank.Median;
-
-import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.graph.RootedGraph;
-import io.github.knotresolver.graph.SkeletonGraph;
 
 /**
  * The filament's length from the frames in which it does not cross itself: the median
@@ -29,9 +30,6 @@ public final class LengthEstimator {
 
 	/** An unbranched skeleton ends this near (pixels) to the fixed end. */
 	private static final double NEAR = 12;
-
-	/** Makes the median absolute deviation a standard deviation of a normal law. */
-	private static final double MAD_TO_SD = 1.4826;
 
 	private LengthEstimator() {
 	}
@@ -72,7 +70,7 @@ public final class LengthEstimator {
 	 */
 	static double robustMedian(final double[] values) {
 		final double median = median(values);
-		final double spread = MAD_TO_SD
+		final double spread = RobustStatistics.MAD_TO_SD
 			* median(Arrays.stream(values).map(v -> Math.abs(v - median)).toArray());
 		final double tolerance = Math.max(DEVIATIONS * spread, TOLERANCE * median);
 		return median(

@@ -1,11 +1,12 @@
 package io.github.knotresolver.track;
 
+import io.github.knotresolver.fit.FilamentEstimate;
+import io.github.knotresolver.geometry.RobustStatistics;
+import io.github.knotresolver.track.OpenFrames.Seen;
+
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-
-import io.github.knotresolver.fit.FilamentEstimate;
-import io.github.knotresolver.track.OpenFrames.Seen;
 
 /**
  * What open frames say about the filament's length. A frame in which an end is outside the
@@ -29,7 +30,8 @@ record Lengths(double[] whole, double longestCut, double cutShare,
 	private static final double OUTLIER = 0.06;
 
 	/** Standard error of a median of n values: so many MADs over the root of n. */
-	private static final double MEDIAN_ERROR = 1.4826 * 1.2533;
+	private static final double MEDIAN_ERROR = RobustStatistics.MAD_TO_SD
+		* RobustStatistics.MEDIAN_TO_MEAN_ERROR;
 
 	static Lengths of(final OpenFrames open, final int frames, final boolean mayChange) {
 		final List<Seen> seen = open.whole();

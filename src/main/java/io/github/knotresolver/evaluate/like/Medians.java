@@ -1,14 +1,13 @@
 package io.github.knotresolver.evaluate.like;
 
+import io.github.knotresolver.geometry.RobustStatistics;
+
 import java.util.Arrays;
 
 import org.apache.commons.math3.stat.descriptive.rank.Median;
 
 /** Medians, and spreads that outliers leave alone. */
 final class Medians {
-
-	/** Of a Gaussian: standard deviation over median magnitude. */
-	private static final double GAUSSIAN = 1.4826;
 
 	private Medians() {
 	}
@@ -25,6 +24,6 @@ final class Medians {
 
 	/** @return the standard deviation of values around 0, from their median magnitude */
 	static double spread(final double[] values) {
-		return GAUSSIAN * of(Arrays.stream(values).map(Math::abs).toArray());
+		return RobustStatistics.MAD_TO_SD * of(Arrays.stream(values).map(Math::abs).toArray());
 	}
 }
