@@ -105,7 +105,7 @@ final class EvaluateSubcommand implements Callable<Integer> {
 		try (ScoreFiles files = Usage.of(spec,
 			() -> ScoreFiles.reserve(out, plots, force, TruthCsv.files(truth, result)))) {
 			scores = scores();
-			files.write(scores, progress);
+			files.write(scores, progress).forEach(spec.commandLine().getErr()::println);
 		}
 		print(scores.lines());
 	}
@@ -129,7 +129,8 @@ final class EvaluateSubcommand implements Callable<Integer> {
 			ResultKind.STUDY, force, LikeRun.files(like, movie)))) {
 			final LikeStudy study = study();
 			scores = scores(study, count);
-			LikeFolder.write(study, scores, folder, plots, progress);
+			LikeFolder.write(study, scores, folder, plots, progress)
+				.forEach(spec.commandLine().getErr()::println);
 		}
 		print(LikeReport.lines(scores));
 		spec.commandLine().getOut().println("Written to " + out + ".");

@@ -8,13 +8,12 @@ import java.util.concurrent.Callable;
 import io.github.knotresolver.imagej.FolderSink;
 import io.github.knotresolver.imagej.ImageSource;
 import io.github.knotresolver.imagej.SampleMovie;
-import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
-import io.github.knotresolver.io.RunReport;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.run.Outcome;
 import io.github.knotresolver.run.ResolveRun;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -61,14 +60,14 @@ final class ResolveSubcommand implements Callable<Integer> {
 	private void resolve() throws IOException {
 		final ResolveRun run = Usage.of(spec, () -> ResolveRun.of(GivenOptions.of(spec)));
 		final ImageSource source = Usage.of(spec, this::source);
-		final MeasuredTracks result;
+		final Outcome outcome;
 		try (ResultFolder folder = Usage.of(spec, () -> ResultFolder.reserve(out,
 			ResultKind.RESOLUTION, force, run.files(source)))) {
 			final ResolveRun.Work work = Usage.of(spec, () -> run.read(source, progress));
-			result = work.resolve(engine, new FolderSink(folder, source, plots), progress).result();
+			outcome = work.resolve(engine, new FolderSink(folder, source, plots), progress);
 		}
 		final PrintWriter stdout = spec.commandLine().getOut();
-		RunReport.lines(result).forEach(stdout::println);
+		outcome.report().forEach(stdout::println);
 		stdout.println("Result: " + out + " (look at montage.png first).");
 	}
 

@@ -83,7 +83,7 @@ public class EvaluateCommand extends KnotCommand {
 			try (ScoreFiles files = ScoreFiles.reserve(out.toPath(), plots, force,
 				TruthCsv.files(truths, results))) {
 				scores = Scores.of(truths, results, progress);
-				files.write(scores, progress);
+				files.write(scores, progress).forEach(this::say);
 			}
 		for (int i = 1; i < scores.filaments().size() && table && isShown(); i++)
 			ScorePlots.table(scores.frames().get(i))
@@ -105,7 +105,7 @@ public class EvaluateCommand extends KnotCommand {
 				LikeRun.files(like.toPath(), original))) {
 				final LikeStudy study = study(original, progress);
 				scores = study.run(movies, seed, progress);
-				LikeFolder.write(study, scores, folder, plots, progress);
+				LikeFolder.write(study, scores, folder, plots, progress).forEach(this::say);
 			}
 		show(List.of(scores.movies().get(0).evaluation().frames()), scores.positionErrors());
 		LikeReport.lines(scores).forEach(this::say);

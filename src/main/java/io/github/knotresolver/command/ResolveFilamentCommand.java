@@ -38,7 +38,6 @@ import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Region;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.run.Engine;
@@ -209,7 +208,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 		progress.checkCancelled();
 		show(input, result, rois);
 		resolution = result.tracks();
-		report(result, outcome.input(), System.nanoTime() - start);
+		report(outcome, System.nanoTime() - start);
 		if (!GraphicsEnvironment.isHeadless())
 			ImageView.front(input, result.tracks());
 	}
@@ -273,11 +272,11 @@ public class ResolveFilamentCommand extends KnotCommand {
 		return present == null ? RoiManager.getRoiManager() : present;
 	}
 
-	private void report(final MeasuredTracks result, final InputOptions input,
-		final long nanos) {
+	private void report(final Outcome outcome, final long nanos) {
+		final MeasuredTracks result = outcome.result();
 		say(ProgramVersion.NAME + " " + ProgramVersion.get() + ": "
-			+ ParametersJson.line(result.tracks(), input));
-		RunReport.lines(result).forEach(this::say);
+			+ ParametersJson.line(result.tracks(), outcome.input()));
+		outcome.report().forEach(this::say);
 		RunReport.reasons(result).forEach(this::say);
 		say(String.format(Locale.ROOT, "Time: %.1f s.", nanos / 1e9));
 	}

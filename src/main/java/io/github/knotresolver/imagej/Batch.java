@@ -14,16 +14,15 @@ import io.github.knotresolver.io.BatchOutcome.Status;
 import io.github.knotresolver.io.BatchOutcome;
 import io.github.knotresolver.io.BatchRow;
 import io.github.knotresolver.io.Failure;
-import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.io.RunIdentity;
-import io.github.knotresolver.io.RunReport;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.run.Outcome;
 import io.github.knotresolver.run.ResolveRun;
 
 /**
@@ -100,9 +99,10 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 				if (place.isFinished() && !overwrite)
 					return new BatchOutcome(row, Status.SKIPPED, Optional.of(place.name()),
 						"There is a result already; add force to do it again.");
-				final MeasuredTracks result = result(out.resolve(place.name()), progress);
+				final Outcome outcome = outcome(out.resolve(place.name()), progress);
 				final List<String> words = new ArrayList<>(row.notes());
-				words.add(0, RunReport.lines(result).get(0));
+				words.add(0, outcome.report().get(0));
+				words.addAll(outcome.leftOut());
 				return new BatchOutcome(row, Status.FINISHED, Optional.of(place.name()),
 					String.join(" ", words));
 			} catch (final CancelledException e) {
@@ -112,14 +112,14 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 			}
 		}
 
-		private MeasuredTracks result(final Path target, final Progress progress)
+		private Outcome outcome(final Path target, final Progress progress)
 			throws IOException {
 			final ResolveRun run = ResolveRun.of(row.over(defaults));
 			try (ResultFolder folder = ResultFolder.reserve(target, ResultKind.RESOLUTION,
 				overwrite, inputs)) {
 				final ImageSource source = ImageSource.of(row.file());
 				return run.read(source, progress)
-					.resolve(engine, new FolderSink(folder, source, plots), progress).result();
+					.resolve(engine, new FolderSink(folder, source, plots), progress);
 			}
 		}
 	}

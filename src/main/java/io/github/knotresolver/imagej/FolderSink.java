@@ -49,7 +49,8 @@ public final class FolderSink implements ResultSink {
 	}
 
 	@Override
-	public void write(final Outcome outcome, final Progress progress) throws IOException {
+	public List<String> write(final Outcome outcome, final Progress progress)
+		throws IOException {
 		final MeasuredTracks result = outcome.result();
 		progress.report("Writing tables", 0);
 		writeTables(outcome);
@@ -63,6 +64,7 @@ public final class FolderSink implements ResultSink {
 		ParametersJson.write(file(ParametersJson.FILE), result.tracks(), outcome.input(),
 			outcome.identity(), pictures.notes());
 		folder.commit();
+		return pictures.notes();
 	}
 
 	private Path file(final String name) {

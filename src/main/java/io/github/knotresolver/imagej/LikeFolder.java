@@ -1,11 +1,13 @@
 package io.github.knotresolver.imagej;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 
 import io.github.knotresolver.evaluate.FrameScore;
 import io.github.knotresolver.evaluate.like.LikeResult;
 import io.github.knotresolver.evaluate.like.LikeStudy;
+import io.github.knotresolver.imagej.plot.Pictures;
 import io.github.knotresolver.imagej.plot.ScoreFigures;
 import io.github.knotresolver.io.LikeJson;
 import io.github.knotresolver.io.LikeTables;
@@ -31,23 +33,29 @@ public final class LikeFolder {
 	 * @param folder the reserved folder; committed here
 	 * @param plots whether figures are drawn
 	 * @param progress may cancel; nothing is left then
+	 * @return what was left out and why, a sentence or two each
 	 * @throws IOException if a file cannot be written
 	 */
-	public static void write(final LikeStudy study, final LikeResult result,
+	public static List<String> write(final LikeStudy study, final LikeResult result,
 		final ResultFolder folder, final boolean plots, final Progress progress)
 		throws IOException {
+		final List<String> leftOut = new ArrayList<>();
 		LikeTables.write(folder.path(), result);
 		LikeJson.write(folder.path().resolve(ParametersJson.FILE), result);
 		if (plots) {
 			final List<List<FrameScore>> frames = result.movies().stream()
 				.map(m -> m.evaluation().frames()).toList();
-			ScoreFigures.write(folder.path(), "", frames, result.positionErrors(), progress);
+			leftOut.addAll(ScoreFigures.write(folder.path(), "", frames, result.positionErrors(),
+				progress));
+			final Pictures pictures = new Pictures(folder.path());
 			final SimulatedMovie first = study.movie(result.motion(),
 				result.movies().get(0).seed(), progress);
-			PngFile.write(folder.path().resolve(COMPARISON),
-				SideBySide.of(result.source().movie(), first.movie()));
+			pictures.draw(COMPARISON, file -> PngFile.write(file,
+				SideBySide.of(result.source().movie(), first.movie())));
+			leftOut.addAll(pictures.notes());
 		}
 		progress.checkCancelled();
 		folder.commit();
+		return leftOut;
 	}
 }

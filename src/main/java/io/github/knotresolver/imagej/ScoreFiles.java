@@ -54,14 +54,17 @@ public final class ScoreFiles implements AutoCloseable {
 	/**
 	 * @param scores of one filament, or of several
 	 * @param progress may cancel; nothing is written then
+	 * @return what was left out and why, a sentence or two each
 	 * @throws IOException if the files cannot be written
 	 */
-	public void write(final Scores scores, final Progress progress) throws IOException {
+	public List<String> write(final Scores scores, final Progress progress) throws IOException {
 		EvaluationCsv.write(files.path().resolve(name), scores.filaments());
-		if (plots)
-			ScoreFigures.write(files.path(), prefix, scores.frames(), scores.positionErrors(),
-				progress);
+		final List<String> leftOut = plots
+			? ScoreFigures.write(files.path(), prefix, scores.frames(), scores.positionErrors(),
+				progress)
+			: List.of();
 		files.commit(name);
+		return leftOut;
 	}
 
 	@Override

@@ -94,11 +94,11 @@ public final class ResolveRun {
 			final Optional<RunIdentity> identity = sink == ResultSink.NONE
 				? Optional.empty()
 				: RunIdentity.of(file, texts, progress);
-			final Outcome outcome = new Outcome(
-				MeasuredTracks.of(engine.resolve(movie, settings, progress), progress),
-				options.input(), identity);
-			sink.write(outcome, progress);
-			return outcome;
+			final MeasuredTracks result = MeasuredTracks
+				.of(engine.resolve(movie, settings, progress), progress);
+			final List<String> leftOut = sink
+				.write(new Outcome(result, options.input(), identity, List.of()), progress);
+			return new Outcome(result, options.input(), identity, leftOut);
 		}
 	}
 }

@@ -1,6 +1,7 @@
 package io.github.knotresolver.run;
 
 import java.io.IOException;
+import java.util.List;
 
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
@@ -10,16 +11,16 @@ import io.github.knotresolver.progress.Progress;
 public interface ResultSink {
 
 	/** Keeps nothing. */
-	ResultSink NONE = (outcome, progress) -> {
-	};
+	ResultSink NONE = (outcome, progress) -> List.of();
 
 	/**
 	 * Takes the whole result or, if it fails, nothing.
 	 *
 	 * @param outcome the result
 	 * @param progress told how far it is; may cancel
+	 * @return what was left out and why, a sentence or two each
 	 * @throws CancelledException if the user asked to stop
 	 * @throws IOException if a file cannot be written
 	 */
-	void write(Outcome outcome, Progress progress) throws IOException;
+	List<String> write(Outcome outcome, Progress progress) throws IOException;
 }

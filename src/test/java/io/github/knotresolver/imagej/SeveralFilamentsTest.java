@@ -20,6 +20,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+import net.imglib2.position.FunctionRandomAccessible;
+import net.imglib2.type.numeric.integer.UnsignedByteType;
+import net.imglib2.view.Views;
+
 import ij.IJ;
 import ij.ImagePlus;
 import ij.gui.Roi;
@@ -45,6 +49,7 @@ import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.Outcome;
 import io.github.knotresolver.run.ResolveRun;
 
 /** A result with a clamped filament, a free one that leaves the view, and one that is lost. */
@@ -198,6 +203,39 @@ class SeveralFilamentsTest {
 		assertEquals("movie: no filament was found in 10 frames.",
 			RunReport.lines(result).get(0));
 		assertTrue(Files.exists(out.resolve("montage.png")));
+	}
+
+	@Test
+	void whatCannotBeDrawnCostsThePicturesAndNoNumber() throws IOException {
+		final var tooLarge = Views.interval(
+			new FunctionRandomAccessible<UnsignedByteType>(3, (place, pixel) -> {
+				throw new OutOfMemoryError("Java heap space");
+			}, UnsignedByteType::new), new long[3],
+			new long[]{TestImages.WIDTH - 1, TestImages.HEIGHT - 1, FRAMES - 1});
+		final ImageSource source = ImageSource.of(image);
+		final Outcome outcome;
+		try (ResultFolder folder = ResultFolder.reserve(out, ResultKind.RESOLUTION, false,
+			List.of())) {
+			outcome = ResolveRun.of(Map.of()).read(source, Progress.NONE)
+				.resolve(
+					(movie, settings, progress) -> tracks(
+						new Movie("large", tooLarge, movie.calibration()), settings,
+						List.of(filament(1, Anchor.CLAMPED, 80, 0.1,
+							t -> seen(t, line(-10 + t, 10, 70 + t, 10), 0.9, 1)))),
+					new FolderSink(folder, source, true), Progress.NONE);
+		}
+		assertEquals(1 + FRAMES, lines("frames.csv").size());
+		assertTrue(Files.exists(out.resolve("tip_angle.svg")));
+		for (final String picture : List.of("overlay.tif", "overlay.avi", "montage.png",
+			"overlay.png")) {
+			assertFalse(Files.exists(out.resolve(picture)), picture);
+			assertTrue(
+				outcome.report().contains(
+					picture + " was left out. There is not enough memory for this movie; give Java more."),
+				outcome.report().toString());
+			assertTrue(Files.readString(out.resolve("parameters.json"))
+				.contains(picture + " was left out."), picture);
+		}
 	}
 
 	private static float hue(final int rgb) {

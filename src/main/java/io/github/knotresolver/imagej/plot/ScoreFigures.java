@@ -87,9 +87,10 @@ public final class ScoreFigures {
 	 * @param movies the frames of one movie, or of several
 	 * @param errors their position errors in pixels
 	 * @param progress may cancel
+	 * @return what was left out and why, a sentence or two each
 	 * @throws IOException if a file cannot be written
 	 */
-	public static void write(final Path folder, final String prefix,
+	public static List<String> write(final Path folder, final String prefix,
 		final List<List<FrameScore>> movies, final double[] errors, final Progress progress)
 		throws IOException {
 		final Pictures pictures = new Pictures(folder);
@@ -97,6 +98,7 @@ public final class ScoreFigures {
 			progress.checkCancelled();
 			Figures.write(pictures, prefix + chart.getKey(), chart.getValue());
 		}
+		return pictures.notes();
 	}
 
 	private static JFreeChart histogram(final double[] errors) {
