@@ -9,7 +9,9 @@ import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 
+import net.imglib2.img.Img;
 import net.imglib2.img.array.ArrayImgs;
+import net.imglib2.type.logic.BitType;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -18,6 +20,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import io.github.knotresolver.image.FrameEvidence;
 import io.github.knotresolver.image.LineAppearance;
 import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.mask.ChanVese;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Polarity;
@@ -145,6 +148,34 @@ class EvidenceFinderTest {
 		final FrameEvidence e = first(movie(pixels));
 		assertTrue(e.surety() < 8, "surety " + e.surety() + " with seed " + seed);
 		assertTrue(e.size() < 60, e.size() + " pixels with seed " + seed);
+	}
+
+	/** The reason why masks by evidence are not refined. */
+	@Test
+	void aDimEndIsFollowedAndAnActiveContourWouldLoseIt() {
+		final float[] pixels = wave(1.4, 100, 0);
+		final Random random = new Random(8);
+		for (int i = 0; i < pixels.length; i++) {
+			final double share = 1 - 0.8 * Math.min(80, Math.max(0, i % SIZE - 20)) / 80;
+			pixels[i] = (float) (100 + share * (pixels[i] - 100) + 4 * random.nextGaussian());
+		}
+		final FrameEvidence e = first(movie(pixels));
+		final float[] light = new float[SIZE * SIZE];
+		for (int i = 0; i < light.length; i++)
+			light[i] = pixels[i] - 100;
+		final Img<BitType> refined = Skeletonize
+			.thin(ChanVese.evolve(Pixels.image(light, SIZE), e.mask(), 10, 0.4, 0.2));
+		assertEquals(100, rightmost(e.skeleton()), 6);
+		assertTrue(rightmost(refined) < 92, "active contour to " + rightmost(refined));
+	}
+
+	private static int rightmost(final Img<BitType> line) {
+		int right = 0;
+		final boolean[] bits = Pixels.bits(line);
+		for (int at = 0; at < bits.length; at++)
+			if (bits[at])
+				right = Math.max(right, at % SIZE);
+		return right;
 	}
 
 	@Test
