@@ -11,7 +11,7 @@ import io.github.knotresolver.fit.FitQuality;
  * after the fact (D. R. Cox, doi:10.1111/j.2517-6161.1958.tb00292.x). Its weights are none
  * negative, so that more of what speaks against a contour never raises its confidence. They
  * were fitted to movies with known truth by {@code scripts/fit-confidence}, on half of the
- * conditions; docs/benchmark.md has the reliability on the other half.
+ * conditions; docs/method.md has the reliability on the other half.
  *
  * @param usualMisfit median misfit of the movie's chosen fits
  */
