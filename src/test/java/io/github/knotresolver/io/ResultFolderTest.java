@@ -274,6 +274,20 @@ class ResultFolderTest {
 			"result").stream().sorted().toList(), FileTrees.names(home));
 	}
 
+	/** A batch clears its folder while another run writes a result there. */
+	@Test
+	void nothingOfALiveRunIsCleared() throws IOException {
+		final Path dead = Files.createDirectory(home.resolve(".gone.partial-1-abc"));
+		try (ResultFolder alive = reserve(false)) {
+			fill(alive, "new");
+			Leftovers.clearAll(home);
+			assertTrue(Files.exists(alive.path().resolve(FramesCsv.FILE)));
+			alive.commit();
+		}
+		assertFalse(Files.exists(dead));
+		assertEquals(List.of("result"), FileTrees.names(home));
+	}
+
 	@Test
 	void earlierResultThatADeadRunMovedAwayComesBack() throws IOException {
 		write("old", false);
