@@ -170,7 +170,7 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 		final SortedSet<Double> sizes = new TreeSet<>();
 		double sum = 0, sumPx = 0;
 		for (final CsvRow record : records.subList(1, records.size())) {
-			if (record.size() <= Math.max(unit, size))
+			if (record.size() <= Math.max(Math.max(unit, size), size < 0 ? Math.max(x, px) : 0))
 				continue;
 			units.add(UnitText.length(record.get(unit)));
 			if (size >= 0) {
