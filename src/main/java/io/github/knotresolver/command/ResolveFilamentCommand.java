@@ -112,6 +112,14 @@ public class ResolveFilamentCommand extends KnotCommand {
 		"auto", "constant", "free"}, required = false, persist = false)
 	private String length_model = "auto";
 
+	@Parameter(label = "Filaments", description = "auto: all, or the one whose fixed end is told", choices = {
+		"auto", "one", "all"}, required = false, persist = false)
+	private String filaments = "auto";
+
+	@Parameter(label = "Anchor", description = "Whether filaments are held at one end", choices = {
+		"auto", "clamped", "free"}, required = false, persist = false)
+	private String anchor = "auto";
+
 	@Parameter(label = "Refine (sub-pixel)", description = "Fit the filament to the image", required = false, persist = false)
 	private boolean refine = true;
 

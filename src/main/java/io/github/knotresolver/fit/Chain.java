@@ -67,7 +67,15 @@ public final class Chain {
 	 * @return the chain, with at least 8 links
 	 */
 	public static Chain inScene(final Polyline curve, final double length) {
-		return along(curve, Math.max(FEWEST_LINKS, (int) Math.rint(length / SCENE_LINK)), length);
+		return along(curve, linksInScene(length), length);
+	}
+
+	/**
+	 * @param length in pixels
+	 * @return the number of links of a filament of a scene
+	 */
+	public static int linksInScene(final double length) {
+		return Math.max(FEWEST_LINKS, (int) Math.rint(length / SCENE_LINK));
 	}
 
 	/**

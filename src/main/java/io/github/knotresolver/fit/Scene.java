@@ -188,10 +188,21 @@ public final class Scene {
 	 * @return for every pixel whether it is one of those, or a chain is drawn there
 	 */
 	public boolean[] near(final boolean[] others) {
-		final boolean[] near = others.clone();
+		final boolean[] near = drawnAbove(DRAWN);
 		for (int i = 0; i < near.length; i++)
-			near[i] |= picture[i] > DRAWN;
+			near[i] |= others[i];
 		return near;
+	}
+
+	/**
+	 * @param brightness in strands
+	 * @return for every pixel whether more is drawn there
+	 */
+	public boolean[] drawnAbove(final double brightness) {
+		final boolean[] drawn = new boolean[picture.length];
+		for (int i = 0; i < drawn.length; i++)
+			drawn[i] = picture[i] > brightness;
+		return drawn;
 	}
 
 	/** @return what the chains leave of the frame: light less picture */

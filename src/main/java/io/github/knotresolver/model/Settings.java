@@ -34,16 +34,15 @@ import io.github.knotresolver.geometry.Polyline;
  * @param frames 1-based frames to resolve; empty for all
  * @param ignoreFrames 1-based frames to leave out
  * @param constraints what the user said about frames, in the order of frames
- * @param filaments how many filaments are delivered; empty for all, or for the one of which
- *          a fixed end or a region is told
+ * @param filaments how many filaments are delivered
  * @param anchor whether filaments are held at one end
  * @param threads number of threads, at least 1
  */
 public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleaning cleaning,
 	Segmentation segmentation, CandidateMethod candidates, ResolverMethod resolver,
 	OptionalDouble length, LengthModel lengthModel, boolean refine, SortedSet<Integer> frames,
-	SortedSet<Integer> ignoreFrames, List<Constraint> constraints,
-	Optional<FilamentChoice> filaments, AnchorChoice anchor, int threads) {
+	SortedSet<Integer> ignoreFrames, List<Constraint> constraints, FilamentChoice filaments,
+	AnchorChoice anchor, int threads) {
 
 	/** No fixed end told, automatic threshold, our candidates and resolver. */
 	public static final Settings DEFAULT = new Builder().build();
@@ -93,8 +92,17 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 	 *         one
 	 */
 	public boolean deliversAll() {
-		return filaments.orElse(FilamentChoice.ONE) == FilamentChoice.ALL && refine
-			&& resolver == ResolverMethod.MOVIE && candidates == CandidateMethod.TRAILS;
+		final boolean all = switch (filaments) {
+			case ALL -> true;
+			case ONE -> false;
+			case AUTO -> fixedEnd.isEmpty() && region.isEmpty();
+		};
+		return all && fitsTrails();
+	}
+
+	/** @return whether filaments are fitted to the picture, from trails, by the whole movie */
+	public boolean fitsTrails() {
+		return refine && resolver == ResolverMethod.MOVIE && candidates == CandidateMethod.TRAILS;
 	}
 
 	/** @return the whole contours that the user gave for filament 1, by 1-based frame, in pixels */
@@ -128,7 +136,7 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 		private Collection<Integer> frames = new TreeSet<>();
 		private Collection<Integer> ignoreFrames = new TreeSet<>();
 		private Collection<Constraint> constraints = List.of();
-		private Optional<FilamentChoice> filaments = Optional.empty();
+		private FilamentChoice filaments = FilamentChoice.AUTO;
 		private AnchorChoice anchor = AnchorChoice.AUTO;
 		private int threads = Runtime.getRuntime().availableProcessors();
 
@@ -262,11 +270,10 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 		}
 
 		/**
-		 * @param value how many filaments are delivered; empty for all, or for the one of
-		 *          which a fixed end or a region is told
+		 * @param value how many filaments are delivered
 		 * @return this
 		 */
-		public Builder filaments(final Optional<FilamentChoice> value) {
+		public Builder filaments(final FilamentChoice value) {
 			filaments = value;
 			return this;
 		}

@@ -11,7 +11,9 @@ import java.util.Set;
 import java.util.SortedSet;
 
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.model.AnchorChoice;
 import io.github.knotresolver.model.CandidateMethod;
+import io.github.knotresolver.model.FilamentChoice;
 import io.github.knotresolver.model.LengthModel;
 import io.github.knotresolver.model.Polarity;
 import io.github.knotresolver.model.ResolverMethod;
@@ -129,6 +131,18 @@ public final class ResolveOptions {
 			.reads((d, t) -> d.settings
 				.lengthModel(OptionText.choice("length_model", t, LengthModel.class)))
 			.writes(c -> word(c.settings().lengthModel())),
+
+		option("filaments", Kind.CHOICE).basic(Section.FILAMENT).oneOf(FilamentChoice.class)
+			.label("Filaments").help("Which filaments of the field are followed").byDefault("auto")
+			.reads((d, t) -> d.settings
+				.filaments(OptionText.choice("filaments", t, FilamentChoice.class)))
+			.writes(c -> word(c.settings().filaments())),
+
+		option("anchor", Kind.CHOICE).basic(Section.FILAMENT).oneOf(AnchorChoice.class)
+			.label("Anchor").help("Whether filaments are held at one end").byDefault("auto")
+			.reads((d, t) -> d.settings
+				.anchor(OptionText.choice("anchor", t, AnchorChoice.class)))
+			.writes(c -> word(c.settings().anchor())),
 
 		option("refine", Kind.FLAG).advanced(Section.METHOD).label("Refine (sub-pixel)")
 			.help("Fit the filament to the image, sub-pixel").byDefault("on")

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
+import io.github.knotresolver.model.FilamentChoice;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Region;
@@ -42,7 +43,8 @@ public final class Session {
 	public Session(final Movie movie, final Settings settings) {
 		this.movie = movie;
 		this.settings = settings;
-		final Settings silent = settings.edit().constraints(List.of()).build();
+		final Settings silent = settings.edit().constraints(List.of())
+			.filaments(settings.deliversAll() ? FilamentChoice.ALL : FilamentChoice.ONE).build();
 		part = settings.region().map(r -> new Session(r.of(movie), r.of(silent)));
 	}
 

@@ -62,7 +62,7 @@ final class SolvedMovie {
 		return new SolvedMovie(movie, prepared, scene,
 			scene.isPresent()
 				? Optional.empty()
-				: Optional.of(single(movie, prepared, settings, progress)));
+				: Optional.of(single(movie, prepared, settings, workers, progress)));
 	}
 
 	/** All filaments of the movie; empty if it holds one that is clamped, or one is asked for. */
@@ -72,20 +72,31 @@ final class SolvedMovie {
 			return Optional.empty();
 		return new SceneResolver(prepared.kinds(), workers, progress)
 			.resolve(prepared.frames(), settings.anchor())
-			.filter(s -> s.filaments().size() > 1 || !s.filaments().get(0).clamped());
+			.filter(s -> !s.filaments().isEmpty() && !s.isOneClamped());
 	}
 
 	private static FrameResolver single(final Movie movie, final PreparedMovie prepared,
-		final Settings settings, final Progress progress) {
+		final Settings settings, final Workers workers, final Progress progress) {
 		final Settings working = prepared.pixels().of(settings);
-		final List<FrameView> frames = prepared.frames();
 		progress.report("Looking for the fixed end", 0);
 		settings.fixedEnd()
 			.ifPresent(end -> requireNearObject(end, working.fixedEnd().orElseThrow(), prepared));
+		final List<FrameView> frames = alone(prepared, working, workers, progress);
 		final Point fixedEnd = working.fixedEnd()
 			.orElseGet(() -> new FixedEndFinder(frames, progress).find()
 				.orElseThrow(() -> nothingFound(movie)));
 		return new FrameResolver(working, prepared.kinds(), frames, fixedEnd);
+	}
+
+	/** The frames without the light of filaments that are not meant. */
+	private static List<FrameView> alone(final PreparedMovie prepared, final Settings working,
+		final Workers workers, final Progress progress) {
+		final List<FrameView> frames = prepared.frames();
+		return working.fixedEnd().isEmpty() || !working.fitsTrails()
+			|| SingleFilament.isClampedAlone(frames)
+				? frames
+				: new SceneResolver(prepared.kinds(), workers, progress).alone(frames,
+					working.fixedEnd().get());
 	}
 
 	/**

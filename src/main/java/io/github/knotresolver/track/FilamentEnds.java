@@ -58,12 +58,21 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid) {
 		return new FilamentEnds(clamped, clamped ? stillIsLast : slid < 0, Math.abs(slid));
 	}
 
+	private static List<Point> ends(final List<Chain> chains, final boolean last) {
+		return chains.stream().map(c -> last ? c.polyline().last() : c.start()).toList();
+	}
+
+	/** The median place of an end, in pixels. */
+	static Point place(final List<Chain> chains, final boolean last) {
+		final List<Point> ends = ends(chains, last);
+		return new Point(median(ends.stream().mapToDouble(Point::x).toArray()),
+			median(ends.stream().mapToDouble(Point::y).toArray()));
+	}
+
 	/** Median distance of an end from its median place. */
 	private static double spread(final List<Chain> chains, final boolean last) {
-		final List<Point> ends = chains.stream()
-			.map(c -> last ? c.polyline().last() : c.start()).toList();
-		final Point middle = new Point(median(ends.stream().mapToDouble(Point::x).toArray()),
-			median(ends.stream().mapToDouble(Point::y).toArray()));
+		final List<Point> ends = ends(chains, last);
+		final Point middle = place(chains, last);
 		return median(ends.stream().mapToDouble(middle::distanceTo).toArray());
 	}
 

@@ -35,6 +35,11 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 		return (1 - Math.exp(-gap / GAP_SCALE)) * explained * (1 - dark) * steady;
 	}
 
+	/** The gap that alone would give a confidence. */
+	static double gapOf(final double confidence) {
+		return -GAP_SCALE * Math.log(Math.max(1e-12, 1 - confidence));
+	}
+
 	/** The share of a chain's length, as far as it is in view, that lies in the dark. */
 	static double dark(final NormalizedFrame light, final Chain chain) {
 		final Polyline curve = chain.polyline();

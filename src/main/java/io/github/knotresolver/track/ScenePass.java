@@ -2,12 +2,16 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
 
 /**
  * All filaments followed from one frame through the whole movie.
@@ -19,6 +23,12 @@ record ScenePass(int start, List<List<Chain>> chains) {
 
 	/** Price of a filament, in strands squared. */
 	private static final double PER_FILAMENT = 3;
+
+	/** So much unexplained light around a place (strands squared) is no noise. */
+	private static final double UNCLEAR = 0.5;
+
+	/** A filament that ends at a place does so within this (pixels). */
+	private static final double NEAR = 12;
 
 	/** Follows the filaments of a seed forwards and backwards. */
 	static ScenePass from(final int start, final List<Chain> seed, final SceneLine line,
@@ -45,6 +55,67 @@ record ScenePass(int start, List<List<Chain>> chains) {
 			chains.add(settled.stream().map(s -> s.chains().get(frame)).toList());
 		}
 		return new ScenePass(0, chains);
+	}
+
+	/**
+	 * The same with one filament as it is known better; those that touch it are fitted again.
+	 *
+	 * @param k the filament
+	 * @param known its chains in all frames
+	 */
+	ScenePass with(final int k, final List<Chain> known, final SceneLine line,
+		final SceneWeights weights, final Workers workers) {
+		return new ScenePass(start, workers.map(chains.size(), t -> {
+			final List<Chain> here = new ArrayList<>(chains.get(t));
+			here.set(k, known.get(t));
+			final Scene scene = new Scene(line.frames().get(t).light(), line.tables(), here);
+			for (int sweep = 0; sweep < 2; sweep++)
+				for (int other = 0; other < scene.size(); other++)
+					if (other != k && scene.mayTouch(k, other))
+						refit(scene, other, weights);
+			return scene.chains();
+		}));
+	}
+
+	private static void refit(final Scene scene, final int k, final SceneWeights weights) {
+		final Chain before = scene.chain(k);
+		scene.take(k);
+		scene.put(k, scene.window(List.of(before)).fit(before, Optional.empty(), weights.tracked())
+			.chain());
+	}
+
+	/** How far a filament usually moves from frame to frame, in pixels. */
+	double motion(final int k) {
+		final double[] motion = new double[Math.max(0, chains.size() - 1)];
+		for (int t = 0; t < motion.length; t++)
+			motion[t] = chains.get(t).get(k).distance(chains.get(t + 1).get(k));
+		Arrays.sort(motion);
+		return motion.length == 0 ? 0 : motion[motion.length / 2];
+	}
+
+	/** How many frames do not explain the light around a filament. */
+	int unclear(final int k, final SceneLine line, final Workers workers) {
+		return (int) workers.map(chains.size(), t -> {
+			final Scene scene = new Scene(line.frames().get(t).light(), line.tables(),
+				chains.get(t));
+			return new Unexplained(scene, line.noise()).worst(chains.get(t).get(k)) > UNCLEAR;
+		}).stream().filter(u -> u).count();
+	}
+
+	/** The filament one of whose ends is usually nearest to a place; -1 if none is near. */
+	int endingAt(final Point place) {
+		double nearest = NEAR;
+		int which = -1;
+		for (int k = 0; k < filaments(); k++) {
+			final double[] distances = filament(k).stream()
+				.mapToDouble(c -> Math.min(c.start().distanceTo(place),
+					c.polyline().last().distanceTo(place))).sorted().toArray();
+			if (distances[distances.length / 2] < nearest) {
+				nearest = distances[distances.length / 2];
+				which = k;
+			}
+		}
+		return which;
 	}
 
 	/** One filament in all frames. */

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 
 import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.model.AnchorChoice;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
@@ -52,6 +53,28 @@ public final class SceneResolver {
 	 */
 	public Optional<SceneTracks> resolve(final List<FrameView> frames,
 		final AnchorChoice anchor) {
+		return solve(frames).map(s -> SceneTracks.of(s.line, s.filaments, anchor));
+	}
+
+	/**
+	 * The movie without the light of all filaments but one.
+	 *
+	 * @param frames the frames, in order of time, at least one
+	 * @param end where one end of that filament is, in pixels
+	 * @return the frames, the light in strands; as they are if no filament ends there
+	 */
+	public List<FrameView> alone(final List<FrameView> frames, final Point end) {
+		return solve(frames).map(s -> {
+			final ScenePass pass = ScenePass.of(s.filaments);
+			final int k = pass.endingAt(end);
+			return k < 0 ? frames : new ClampedAgain(s.line, workers, progress).alone(pass, k);
+		}).orElse(frames);
+	}
+
+	private record Solved(SceneLine line, List<Settled> filaments) {
+	}
+
+	private Optional<Solved> solve(final List<FrameView> frames) {
 		if (frames.stream().allMatch(f -> f.graph().segments().isEmpty()))
 			return Optional.empty();
 		progress.report("Learning what a filament looks like", 0);
@@ -59,9 +82,11 @@ public final class SceneResolver {
 		final SceneWeights weights = SceneWeights.DEFAULT;
 		final List<SceneSeed> seeds = new SceneSeeds(line, weights).all(workers, progress);
 		final List<Priced> passes = passes(line, weights, seeds);
-		if (passes.isEmpty())
-			return Optional.empty();
-		return Optional.of(SceneTracks.of(line, settled(line, weights, passes), anchor));
+		return passes.isEmpty()
+			? Optional.empty()
+			: Optional.of(new Solved(line,
+				new SceneRefinement(line, weights, workers, progress)
+					.refine(settled(line, weights, passes))));
 	}
 
 	/** A pass with its price, and what of it is unexplained light. */

@@ -33,6 +33,12 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 	/** A filament of which less than this share is inside the picture is not in view. */
 	private static final double IN_VIEW = 0.25;
 
+	/** What is shorter than so many times the line's sigma is no filament. */
+	private static final double SPECK = 16;
+
+	/** A free filament that is less sure on average (confidence) may be a clamped one that winds up. */
+	private static final double CREDIBLE = 0.8;
+
 	private static final double LEAST_MOTION = 0.5;
 
 	/**
@@ -45,6 +51,12 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 	 */
 	public record Filament(boolean clamped, double length, double lengthError,
 		List<Observation> frames) {
+
+		/** @return the mean over all frames; a frame without a contour counts 0 */
+		public double meanConfidence() {
+			return frames.stream()
+				.mapToDouble(o -> o.contour().isPresent() ? o.confidence() : 0).average().orElse(0);
+		}
 	}
 
 	static SceneTracks of(final SceneLine line, final List<Settled> settled,
@@ -80,10 +92,29 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 			}
 		}
 		final List<Filament> filaments = new ArrayList<>();
+		int specks = 0;
 		for (int k = 0; k < usual.length; k++)
-			filaments.add(new Filament(ends.get(k).clamped(), chains.get(k).get(0).length(),
+			if (chains.get(k).get(0).length() < SPECK * line.tables().model().sigma())
+				specks++;
+			else
+				filaments.add(new Filament(ends.get(k).clamped(), chains.get(k).get(0).length(),
 				settled.get(k).lengthError(), List.copyOf(observed.get(k))));
-		return new SceneTracks(line.tables().model(), filaments, List.of());
+		return new SceneTracks(line.tables().model(), filaments,
+			specks == 0 ? List.of() : List.of(specksNote(specks)));
+	}
+
+	private static String specksNote(final int specks) {
+		return specks + (specks == 1 ? " object was" : " objects were")
+			+ " modelled but not counted as filaments: they are shorter than " + Math.round(SPECK)
+			+ " times the line's sigma.";
+	}
+
+	/**
+	 * @return whether there is one filament, and nothing speaks for its being free
+	 */
+	public boolean isOneClamped() {
+		return filaments.size() == 1 && (filaments.get(0).clamped()
+			|| filaments.get(0).meanConfidence() < CREDIBLE);
 	}
 
 	private static double usualMotion(final List<Chain> chains) {

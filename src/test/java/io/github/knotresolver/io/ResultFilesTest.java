@@ -77,7 +77,7 @@ class ResultFilesTest {
 		assertEquals(2, rows.size());
 		assertTrue(rows.get(1).startsWith("a movie.tif,3,2,10,10,0,10,10,µm,,,,Hz,"), rows.get(1));
 		assertTrue(rows.get(1).endsWith(
-			",\"fixed_end=2.0,5.0 threshold=otsu iterations=10 contraction_bias=0.4 smooth_factor=0.2 segmentation=evidence polarity=auto candidates=trails resolver=movie length=10.0 length_model=auto refine=true channel=1 z_as_time=false pixel_size=0.5 unit=µm frame_interval=2.0\",1"),
+			",\"fixed_end=2.0,5.0 threshold=otsu iterations=10 contraction_bias=0.4 smooth_factor=0.2 segmentation=evidence polarity=auto candidates=trails resolver=movie length=10.0 length_model=auto filaments=auto anchor=auto refine=true channel=1 z_as_time=false pixel_size=0.5 unit=µm frame_interval=2.0\",1"),
 			rows.get(1));
 	}
 

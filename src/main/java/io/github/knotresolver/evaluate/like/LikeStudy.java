@@ -12,6 +12,7 @@ import java.util.Set;
 
 import io.github.knotresolver.evaluate.Evaluation;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.FilamentChoice;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Observation;
@@ -199,6 +200,7 @@ public final class LikeStudy {
 			.length(p.length().isPresent()
 				? OptionalDouble.of(first.length())
 				: OptionalDouble.empty())
-			.frames(Set.of()).ignoreFrames(Set.of()).corrections(Map.of()).threads(1).build();
+			.frames(Set.of()).ignoreFrames(Set.of()).corrections(Map.of())
+			.filaments(FilamentChoice.ONE).threads(1).build();
 	}
 }

@@ -1,0 +1,106 @@
+
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+import io.github.knotresolver.model.AnchorChoice;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.track.SceneSettler.Settled;
+
+/**
+ * What tracking alone leaves unclear is tried again with what is made for one clamped
+ * filament ({@link ClampedAgain}): first each clamped filament, then, if that leaves light
+ * unexplained, all that moves as one filament beside what lies still. Kept where the movie
+ * becomes cheaper.
+ */
+final class SceneRefinement {
+
+	/** A filament that is unclear in more than this share of frames is followed again. */
+	private static final double SOME = 0.02;
+
+	private static final int ROUNDS = 2;
+
+	/** What moves less (pixels a frame, median) lies still. */
+	private static final double STILL = 0.5;
+
+	private final SceneLine line;
+	private final SceneWeights weights;
+	private final Workers workers;
+	private final Progress progress;
+	private final ClampedAgain again;
+
+	SceneRefinement(final SceneLine line, final SceneWeights weights, final Workers workers,
+		final Progress progress) {
+		this.line = line;
+		this.weights = weights;
+		this.workers = workers;
+		this.progress = progress;
+		again = new ClampedAgain(line, workers, progress);
+	}
+
+	List<Settled> refine(final List<Settled> found) {
+		List<Settled> filaments = found;
+		for (int round = 0; round < ROUNDS; round++)
+			for (int k = 0; k < filaments.size(); k++) {
+				progress.checkCancelled();
+				filaments = followedAgain(filaments, k);
+			}
+		return isClear(filaments) ? filaments : besideWhatLiesStill(filaments);
+	}
+
+	private boolean isClear(final List<Settled> filaments) {
+		final ScenePass pass = ScenePass.of(filaments);
+		for (int k = 0; k < filaments.size(); k++)
+			if (isUnclear(pass, k))
+				return false;
+		return true;
+	}
+
+	private boolean isUnclear(final ScenePass pass, final int k) {
+		return pass.unclear(k, line, workers) > SOME * line.frames().size();
+	}
+
+	private List<Settled> followedAgain(final List<Settled> filaments, final int k) {
+		final ScenePass pass = ScenePass.of(filaments);
+		final FilamentEnds ends = FilamentEnds.of(pass.filament(k), AnchorChoice.AUTO);
+		if (!ends.clamped() || !isUnclear(pass, k))
+			return filaments;
+		return again.follow(pass, k, FilamentEnds.place(pass.filament(k), ends.reversed()))
+			.map(s -> cheaper(filaments, filaments, k, s)).orElse(filaments);
+	}
+
+	/** One clamped filament instead of all that moves. */
+	private List<Settled> besideWhatLiesStill(final List<Settled> filaments) {
+		final ScenePass pass = ScenePass.of(filaments);
+		final List<Settled> still = new ArrayList<>();
+		for (int k = 0; k < filaments.size(); k++)
+			if (pass.motion(k) < STILL)
+				still.add(filaments.get(k));
+		if (still.isEmpty() || still.size() == filaments.size())
+			return filaments;
+		final Optional<Settled> moving = again.followBeside(ScenePass.of(still));
+		if (moving.isEmpty())
+			return filaments;
+		still.add(moving.get());
+		return cheaper(filaments, still, still.size() - 1, moving.get());
+	}
+
+	/** Filaments with another k-th one, the others fitted again; or as they were if cheaper. */
+	private List<Settled> cheaper(final List<Settled> before, final List<Settled> after,
+		final int k, final Settled better) {
+		final List<Settled> replaced = new ArrayList<>(after);
+		replaced.set(k, better);
+		final ScenePass with = ScenePass.of(replaced).with(k, better.chains(), line, weights,
+			workers);
+		if (with.price(line) >= ScenePass.of(before).price(line))
+			return before;
+		for (int j = 0; j < replaced.size(); j++)
+			if (j != k)
+				replaced.set(j, new Settled(with.filament(j), replaced.get(j).gap(),
+					replaced.get(j).lengthError()));
+		return replaced;
+	}
+}
