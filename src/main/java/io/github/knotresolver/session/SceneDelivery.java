@@ -2,7 +2,6 @@
 package io.github.knotresolver.session;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
@@ -16,12 +15,8 @@ import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.track.SceneTracks;
 import io.github.knotresolver.track.SceneTracks.Filament;
 
-/** The filaments of a scene as tracks: clamped ones first, then the longest. */
+/** The filaments of a scene as tracks. */
 final class SceneDelivery {
-
-	private static final Comparator<Filament> ORDER = Comparator
-		.comparing((Filament f) -> !f.clamped())
-		.thenComparing(Comparator.comparingDouble(Filament::length).reversed());
 
 	private SceneDelivery() {
 	}
@@ -33,7 +28,7 @@ final class SceneDelivery {
 	static List<FilamentTrack> tracks(final SceneTracks scene,
 		final Function<List<Observation>, List<Observation>> everyFrame) {
 		final List<FilamentTrack> tracks = new ArrayList<>();
-		for (final Filament f : scene.filaments().stream().sorted(ORDER).toList())
+		for (final Filament f : scene.filaments())
 			tracks.add(new FilamentTrack(tracks.size() + 1,
 				f.clamped() ? Anchor.CLAMPED : Anchor.FREE,
 				f.clamped() ? fixedEnd(f) : Optional.empty(), f.length(), f.lengthError(),

@@ -3,7 +3,6 @@ package io.github.knotresolver.track;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -70,8 +69,8 @@ final class ClampedAgain {
 	private Optional<Settled> follow(final List<FrameView> frames, final Point clamp) {
 		return new FitResolver(TrailCandidates.DEFAULT, Set.of(line.tables().model().kind()),
 			LengthModel.AUTO, workers, progress)
-				.resolve(frames, clamp, OptionalDouble.empty(), Map.of())
-				.flatMap(ClampedAgain::settled);
+				.learn(frames, clamp, OptionalDouble.empty())
+				.map(s -> s.solve(List.of(), workers, progress)).flatMap(ClampedAgain::settled);
 	}
 
 	/** The frames with the light of one filament only. */

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
 
 import io.github.knotresolver.candidate.SceneTrails;
@@ -65,11 +66,11 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		final Progress progress) {
 		final double strand = firstStrand(frames);
 		final List<FrameView> scaled = frames.stream().map(f -> f.scaled(strand)).toList();
-		final List<FrameView> open = mostOpen(scaled);
-		final List<Learned> learned = kinds.stream().map(k -> learn(open, k, progress)).toList();
-		final Learned best = learned.stream()
-			.min(Comparator.comparingDouble(l -> l.line.residual())).orElseThrow();
-		final Estimate line = best.line;
+		final List<Seen> seen = look(scaled);
+		final List<FrameView> open = best(seen, s -> true);
+		final List<FrameView> crossed = best(seen, s -> s.crossings > 0);
+		final Estimate line = kinds.stream().map(k -> learn(open, k, progress))
+			.min(Comparator.comparingDouble(l -> doubt(l, open, crossed))).orElseThrow();
 		final List<FrameView> known = scaled.stream()
 			.map(f -> f.rescaled(line.background(), line.amplitude())).toList();
 		final double[] noise = known.stream().mapToDouble(f -> f.light().noise()).sorted().toArray();
@@ -89,46 +90,69 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 			: Math.max(1e-9, values[(int) (QUANTILE * (values.length - 1))] / MEAN_OF_RIDGE);
 	}
 
-	private static List<FrameView> mostOpen(final List<FrameView> frames) {
+	/** A frame and how its trails look. */
+	private record Seen(FrameView frame, int loose, int crossings, double length) {
+	}
+
+	private static List<Seen> look(final List<FrameView> frames) {
 		final int stride = 1 + (frames.size() - 1) / LOOK_AT;
-		record Seen(FrameView frame, int doubt, double length) {
-		}
 		final List<Seen> seen = new ArrayList<>();
 		for (int t = 0; t < frames.size(); t += stride) {
 			final SceneTrails.Found found = SceneSeeder.trails(frames.get(t));
 			final double length = found.curves().stream().mapToDouble(Polyline::length).sum();
 			if (length > 0)
-				seen.add(new Seen(frames.get(t), found.loose() + found.crossings(), length));
+				seen.add(new Seen(frames.get(t), found.loose(), found.crossings(), length));
 		}
-		return seen.stream()
-			.sorted(Comparator.comparingInt(Seen::doubt)
+		return seen;
+	}
+
+	/** The frames whose trails are clearest, of those that are wanted. */
+	private static List<FrameView> best(final List<Seen> seen, final Predicate<Seen> wanted) {
+		return seen.stream().filter(wanted)
+			.sorted(Comparator.comparingInt((Seen s) -> s.loose + s.crossings)
 				.thenComparing(Comparator.comparingDouble(Seen::length).reversed()))
 			.limit(EXAMPLES).map(Seen::frame).toList();
 	}
 
-	private record Learned(Estimate line) {
-	}
-
-	private static Learned learn(final List<FrameView> frames, final LineModel.Kind kind,
+	private static Estimate learn(final List<FrameView> frames, final LineModel.Kind kind,
 		final Progress progress) {
 		Estimate line = new Estimate(LineModel.uniform(kind, FIRST_SIGMA, 1), 1, 0, 1);
 		for (int round = 0; round < ROUNDS; round++) {
-			final List<Example> examples = new ArrayList<>();
-			final LineTables tables = LineTables.together(line.model());
-			for (final FrameView frame : frames) {
-				final Scene scene = new Scene(
-					frame.light().rescaled(line.background(), line.amplitude()), tables,
-					SceneSeeder.starts(frame));
-				new JointFit(scene, SceneWeights.DEFAULT).sweep(SWEEPS);
-				final List<Chain> chains = scene.chains();
-				if (!chains.isEmpty())
-					examples.add(new Example(frame.light(), chains));
-			}
+			final List<Example> examples = examples(frames, line);
 			if (examples.isEmpty())
-				return new Learned(line);
-			line = LineEstimator.estimate(examples, kind, line.model().sigma(), progress);
+				return line;
+			final Estimate next = LineEstimator.estimate(examples, kind, line.model().sigma(),
+				progress);
+			if (!(next.amplitude() > 0))
+				return line;
+			line = next;
 		}
-		return new Learned(line);
+		return line;
+	}
+
+	/** The frames with all chains fitted to them. */
+	private static List<Example> examples(final List<FrameView> frames, final Estimate line) {
+		final LineTables tables = LineTables.together(line.model());
+		final List<Example> examples = new ArrayList<>();
+		for (final FrameView frame : frames) {
+			final Scene scene = new Scene(
+				frame.light().rescaled(line.background(), line.amplitude()), tables,
+				SceneSeeder.starts(frame));
+			new JointFit(scene, SceneWeights.DEFAULT).sweep(SWEEPS);
+			final List<Chain> chains = scene.chains();
+			if (!chains.isEmpty())
+				examples.add(new Example(frame.light(), chains));
+		}
+		return examples;
+	}
+
+	/** What a line leaves unexplained, also where strands cross: there kinds differ most. */
+	private static double doubt(final Estimate line, final List<FrameView> open,
+		final List<FrameView> crossed) {
+		final List<Example> examples = examples(crossed.isEmpty() ? open : crossed, line);
+		return examples.isEmpty()
+			? line.residual()
+			: LineEstimator.fit(examples, line.model()).residual();
 	}
 
 	/**

@@ -3,6 +3,7 @@ package io.github.knotresolver.track;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
@@ -19,7 +20,7 @@ import io.github.knotresolver.track.SceneSettler.Settled;
  * All filaments of a movie with their contours.
  *
  * @param model what a line looks like
- * @param filaments the filaments
+ * @param filaments the filaments: clamped ones first, then the longest
  * @param notes what a user should know, a sentence each
  */
 public record SceneTracks(LineModel model, List<Filament> filaments, List<String> notes) {
@@ -40,6 +41,11 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 	private static final double CREDIBLE = 0.8;
 
 	private static final double LEAST_MOTION = 0.5;
+
+	/** Clamped filaments first, then the longest. */
+	private static final Comparator<Filament> ORDER = Comparator
+		.comparing((Filament f) -> !f.clamped())
+		.thenComparing(Comparator.comparingDouble(Filament::length).reversed());
 
 	/**
 	 * A filament.
@@ -99,8 +105,11 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 			else
 				filaments.add(new Filament(ends.get(k).clamped(), chains.get(k).get(0).length(),
 				settled.get(k).lengthError(), List.copyOf(observed.get(k))));
-		return new SceneTracks(line.tables().model(), filaments,
-			specks == 0 ? List.of() : List.of(specksNote(specks)));
+		filaments.sort(ORDER);
+		final List<String> notes = new ArrayList<>(new DoubtfulEpisodes(filaments).notes());
+		if (specks > 0)
+			notes.add(specksNote(specks));
+		return new SceneTracks(line.tables().model(), filaments, notes);
 	}
 
 	private static String specksNote(final int specks) {

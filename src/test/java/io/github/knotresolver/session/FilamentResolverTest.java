@@ -26,6 +26,7 @@ import io.github.knotresolver.fit.DrawnMovie;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Anchor;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.CandidateMethod;
 import io.github.knotresolver.model.Constraint;
@@ -102,7 +103,14 @@ class FilamentResolverTest {
 				new double[]{at.y() + 12 + away, at.y() + away}), 10, 34)));
 		}
 		final DrawnMovie drawn = DrawnMovie.draw(chains, foreign, GAUSSIAN, NOISE, 22);
-		assertFollows(drawn, resolve(drawn, Settings.DEFAULT), Set.of());
+		final Tracks result = resolve(drawn, Settings.DEFAULT);
+		assertEquals(2, result.filaments().size());
+		assertEquals(Anchor.CLAMPED, result.filaments().get(0).anchor());
+		assertFollows(drawn, result, Set.of());
+		final Tracks one = resolve(drawn, Settings.DEFAULT.edit()
+			.fixedEnd(Optional.of(chains.get(0).start())).build());
+		assertEquals(1, one.filaments().size());
+		assertFollows(drawn, one, Set.of());
 	}
 
 	@Test
@@ -294,7 +302,8 @@ class FilamentResolverTest {
 		for (int t = 0; t < drawn.truth().size(); t++) {
 			if (without.contains(t + 1))
 				continue;
-			final Polyline contour = result.only().frames().get(t).contour().orElseThrow().resampled(1);
+			final Polyline contour = result.filaments().get(0).frames().get(t).contour().orElseThrow()
+				.resampled(1);
 			final double distance = DiscreteFrechet.distance(contour,
 				drawn.truth().get(t).resampled(1));
 			assertTrue(distance < 5,
