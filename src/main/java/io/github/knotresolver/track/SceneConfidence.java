@@ -23,15 +23,16 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 	/** Unexplained light (strands squared) that says nothing, and what leaves a third. */
 	private static final double HARMLESS = 0.25, SCALE = 1;
 
-	/** Multiples of usual motion that say nothing, and that leave no confidence. */
-	private static final double USUAL = 3, HOPELESS = 10;
+	/** Multiples of usual motion that say nothing, and that leave hardly any confidence. */
+	private static final double USUAL = 3, HOPELESS = 10, LEAST = 0.05;
 
 	/** Light below this share of a strand's is hardly any. */
 	private static final double DARK = 0.35;
 
 	double value() {
 		final double explained = Math.exp(-Math.max(0, unexplained - HARMLESS) / SCALE);
-		final double steady = Math.min(1, Math.max(0, (HOPELESS - haste) / (HOPELESS - USUAL)));
+		final double steady = Math.min(1,
+			Math.max(LEAST, (HOPELESS - haste) / (HOPELESS - USUAL)));
 		return (1 - Math.exp(-gap / GAP_SCALE)) * explained * (1 - dark) * steady;
 	}
 

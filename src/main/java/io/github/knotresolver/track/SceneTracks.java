@@ -154,7 +154,7 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 		if (confidence.dark() > UNRESOLVED || value <= 0)
 			return Observation.without(frame.frame(), FrameStatus.UNRESOLVED,
 				"The best contour runs in the dark for " + Math.round(100 * confidence.dark())
-					+ " % of its length, or moved too far to be the same.");
+					+ " % of its length.");
 		final Polyline contour = chain.contour();
 		return new Observation(frame.frame(), FrameStatus.RESOLVED, "", Optional.of(contour),
 			frame.graph().junctions(), 1, confidence.unexplained(), value).withVisible(visible);

@@ -35,6 +35,7 @@ import io.github.knotresolver.model.LengthModel;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Region;
 import io.github.knotresolver.model.ResolverMethod;
+import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
@@ -302,7 +303,9 @@ class FilamentResolverTest {
 		for (int t = 0; t < drawn.truth().size(); t++) {
 			if (without.contains(t + 1))
 				continue;
-			final Polyline contour = result.filaments().get(0).frames().get(t).contour().orElseThrow()
+			final Observation seen = result.filaments().get(0).frames().get(t);
+			final Polyline contour = seen.contour()
+				.orElseThrow(() -> new AssertionError("frame " + seen.frame() + ": " + seen.reason()))
 				.resampled(1);
 			final double distance = DiscreteFrechet.distance(contour,
 				drawn.truth().get(t).resampled(1));
