@@ -29,14 +29,17 @@ public record FilamentSummary(OptionalInt firstFrame, OptionalInt lastFrame, dou
 		final List<Observation> frames = filament.track().frames();
 		final double used = filament.track().length() * pixelSize;
 		return new FilamentSummary(
-			frames.stream().filter(f -> f.status() != FrameStatus.ABSENT)
-				.mapToInt(Observation::frame).min(),
-			frames.stream().filter(f -> f.status() != FrameStatus.ABSENT)
-				.mapToInt(Observation::frame).max(),
+			frames.stream().filter(FilamentSummary::isInView).mapToInt(Observation::frame).min(),
+			frames.stream().filter(FilamentSummary::isInView).mapToInt(Observation::frame).max(),
 			Double.isNaN(used) ? LengthStatistics.of(filament.frames()).median() : used,
 			filament.track().lengthError() * pixelSize,
 			frames.stream().filter(f -> f.contour().isPresent())
 				.mapToDouble(Observation::confidence).filter(Double::isFinite).average()
 				.orElse(Double.NaN));
+	}
+
+	/** Of a frame that was left out, nobody knows it. */
+	static boolean isInView(final Observation frame) {
+		return frame.status() != FrameStatus.ABSENT && frame.status() != FrameStatus.IGNORED;
 	}
 }

@@ -7,7 +7,8 @@ import org.apache.commons.csv.CSVPrinter;
 
 /**
  * {@code filaments.csv}: one row a filament. {@code first_frame} and
- * {@code last_frame} are the first and the last one in which it is in view;
+ * {@code last_frame} are the first and the last one in which it is in view, of
+ * those that were not left out;
  * {@code length} and its standard error {@code length_se} are in the row's
  * {@code unit}; what is not known is empty.
  */

@@ -75,8 +75,7 @@ public final class RunReport {
 	}
 
 	private static long inView(final FilamentTrack track) {
-		return track.frames().stream().filter(
-			f -> f.status() != FrameStatus.ABSENT && f.status() != FrameStatus.IGNORED).count();
+		return track.frames().stream().filter(FilamentSummary::isInView).count();
 	}
 
 	private static SortedSet<Integer> frames(final MeasuredFilament filament,
