@@ -13,17 +13,26 @@ public final class CellText {
 	private CellText() {
 	}
 
-	/** @return the text without spaces of any kind, and marks without width, around it */
+	/**
+	 * @param text of a cell
+	 * @return it without spaces of any kind, and marks without width, around it
+	 */
 	public static String clean(final String text) {
 		return AROUND.matcher(text).replaceAll("");
 	}
 
-	/** @return whether it is one number with a comma for its dot */
+	/**
+	 * @param text of a cell
+	 * @return whether it is one number with a comma for its dot
+	 */
 	public static boolean hasDecimalComma(final String text) {
 		return DECIMAL_COMMA.matcher(text).matches();
 	}
 
-	/** @return the text, with a dot in place of the comma if it is such a number */
+	/**
+	 * @param text of a cell
+	 * @return it, with a dot in place of the comma if it is such a number
+	 */
 	public static String withDot(final String text) {
 		return hasDecimalComma(text) ? text.replace(',', '.') : text;
 	}

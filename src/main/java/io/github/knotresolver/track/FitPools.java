@@ -61,6 +61,6 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 	/** @return what carries fits of a frame to its neighbours */
 	Propagation propagation(final int width, final Progress progress) {
 		return new Propagation(width, MotionPrice.learn(fits, course.anchor()), this::fitter, fits,
-			new Propagation.Frames(course, settings.freeLength(), t -> false), progress);
+			new Propagation.Frames(course, settings.freeLength()), progress);
 	}
 }

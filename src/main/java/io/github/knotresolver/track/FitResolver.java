@@ -264,7 +264,7 @@ public final class FitResolver {
 		final Propagation propagation = new Propagation(FitSolver.WIDTH,
 			MotionPrice.learn(proposals, course.anchor()),
 			t -> fitter(t, light, course, settings()), proposals,
-			new Propagation.Frames(course, settings().freeLength(), t -> false),
+			new Propagation.Frames(course, settings().freeLength()),
 			progress);
 		final List<List<List<Fit>>> walks = workers.map(2, direction -> propagation
 			.walk(IntStream.range(0, n).map(i -> direction == 0 ? i : n - 1 - i).toArray()));

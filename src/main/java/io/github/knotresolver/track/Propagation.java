@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.IntFunction;
-import java.util.function.IntPredicate;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.FilamentFitter;
@@ -62,9 +61,8 @@ final class Propagation {
 	 *
 	 * @param course where the fixed end is and how long the filament is
 	 * @param freeLength whether the length is fitted
-	 * @param given whether a frame's contour was given: then nothing else is tried
 	 */
-	record Frames(FilamentCourse course, boolean freeLength, IntPredicate given) {
+	record Frames(FilamentCourse course, boolean freeLength) {
 
 		/** A chain of one frame where and as long as it should be in another. */
 		Chain carried(final Chain chain, final int from, final int to) {
@@ -93,7 +91,7 @@ final class Propagation {
 			final List<Hypothesis> next = new ArrayList<>();
 			beam = carried(beam, last, frame);
 			last = frame;
-			final List<Fit> fits = frames.given.test(frame) ? List.of() : carried(frame, beam, next);
+			final List<Fit> fits = carried(frame, beam, next);
 			for (final Fit proposal : proposals.get(frame))
 				next.add(joined(proposal, beam));
 			beam = best(next);

@@ -8,7 +8,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.IntPredicate;
+import java.util.Set;
+import java.util.SortedMap;
 import java.util.stream.IntStream;
 
 import org.junit.jupiter.api.Test;
@@ -48,16 +49,16 @@ class PropagationTest {
 		return proposals;
 	}
 
-	private Propagation.Frames frames(final IntPredicate given) {
+	private Propagation.Frames frames() {
 		final FilamentEstimate estimate = new FilamentEstimate(LINE, 120, 90, 0.1,
 			truth.get(0).start());
 		return new Propagation.Frames(new FilamentCourse(estimate,
 			AnchorPath.still(truth.get(0).start(), FRAMES), LengthCourse.constant(90, FRAMES)),
-			false, given);
+			false);
 	}
 
-	private List<List<Fit>> walk(final int seen, final int[] order, final IntPredicate given) {
-		return new Propagation(3, new MotionPrice(3, 0.1), this::fitter, proposedIn(seen), frames(given),
+	private List<List<Fit>> walk(final int seen, final int[] order) {
+		return new Propagation(3, new MotionPrice(3, 0.1), this::fitter, proposedIn(seen), frames(),
 			Progress.NONE).walk(order);
 	}
 
@@ -69,7 +70,7 @@ class PropagationTest {
 
 	@Test
 	void oneProposalIsCarriedThroughTheMovieForwards() {
-		final List<List<Fit>> fits = walk(0, IntStream.range(0, FRAMES).toArray(), t -> false);
+		final List<List<Fit>> fits = walk(0, IntStream.range(0, FRAMES).toArray());
 		assertEquals(List.of(), fits.get(0), "nothing came before");
 		for (int t = 1; t < FRAMES; t++)
 			assertFollows(truth.get(t), fits.get(t), "frame " + t);
@@ -78,23 +79,30 @@ class PropagationTest {
 	@Test
 	void andBackwards() {
 		final List<List<Fit>> fits = walk(FRAMES - 1,
-			IntStream.range(0, FRAMES).map(i -> FRAMES - 1 - i).toArray(), t -> false);
+			IntStream.range(0, FRAMES).map(i -> FRAMES - 1 - i).toArray());
 		for (int i = 1; i < FRAMES; i++)
 			assertFollows(truth.get(FRAMES - 1 - i), fits.get(i), "frame " + (FRAMES - 1 - i));
 	}
 
 	@Test
-	void nothingIsTriedInAGivenFrameAndItsContourIsCarriedOn() {
-		final List<List<Fit>> fits = walk(3, IntStream.range(0, FRAMES).toArray(), t -> t == 3);
-		for (int t = 0; t <= 3; t++)
-			assertEquals(List.of(), fits.get(t), "frame " + t);
-		assertFollows(truth.get(4), fits.get(4), "frame 4");
+	void whatIsNewSpreadsUntilItIsKnown() {
+		final int from = 1, met = 4;
+		final List<List<Fit>> known = IntStream.range(0, FRAMES).mapToObj(
+			t -> t == met ? List.of(fitter(t).fit(truth.get(t), Optional.empty())) : List.<Fit>of())
+			.toList();
+		final Propagation propagation = new Propagation(3, new MotionPrice(3, 0.1), this::fitter,
+			known, frames(), Progress.NONE);
+		final List<Fit> fits = List.of(fitter(from).fit(truth.get(from), Optional.empty()));
+		final SortedMap<Integer, List<Fit>> forwards = propagation.spread(from, 1, fits, known);
+		assertEquals(Set.of(2, 3), forwards.keySet());
+		forwards.forEach((t, found) -> assertFollows(truth.get(t), found, "frame " + t));
+		assertEquals(Set.of(0), propagation.spread(from, -1, fits, known).keySet());
 	}
 
 	@Test
 	void cancelStopsIt() {
 		final Propagation propagation = new Propagation(3, new MotionPrice(3, 0.1), this::fitter,
-			proposedIn(0), frames(t -> false), new CancelledProgress());
+			proposedIn(0), frames(), new CancelledProgress());
 		assertThrows(CancelledException.class, () -> propagation.walk(new int[]{0, 1}));
 	}
 }
