@@ -9,6 +9,7 @@ import java.util.Optional;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.AnchorChoice;
 import io.github.knotresolver.model.Anchor;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.FilamentTrack;
@@ -68,11 +69,13 @@ final class SolvedMovie {
 	/** All filaments of the movie; empty if it holds one that is clamped, or one is asked for. */
 	private static Optional<SceneTracks> scene(final PreparedMovie prepared,
 		final Settings settings, final Workers workers, final Progress progress) {
-		if (!settings.deliversAll() || SingleFilament.isClampedAlone(prepared.frames()))
+		final boolean free = settings.anchor() == AnchorChoice.FREE;
+		if (!settings.deliversAll()
+			|| !free && SingleFilament.isClampedAlone(prepared.frames()))
 			return Optional.empty();
 		return new SceneResolver(prepared.kinds(), workers, progress)
 			.resolve(prepared.frames(), settings.anchor())
-			.filter(s -> !s.filaments().isEmpty() && !s.isOneClamped());
+			.filter(s -> !s.filaments().isEmpty() && (free || !s.isOneClamped()));
 	}
 
 	private static FrameResolver single(final Movie movie, final PreparedMovie prepared,

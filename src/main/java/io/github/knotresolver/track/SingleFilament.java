@@ -38,6 +38,7 @@ public final class SingleFilament {
 	/** A stage moves a clamp no farther than this (pixels). */
 	private static final double STAGE = 24;
 
+	/** So many frames must show both ends; of short movies, half of them. */
 	private static final int FEWEST_OPEN = 5;
 
 	private SingleFilament() {
@@ -64,7 +65,7 @@ public final class SingleFilament {
 					open.add(ends);
 			}
 		}
-		return seen > 0 && alone >= NEARLY_ALL * seen && open.size() >= Math.min(FEWEST_OPEN, seen)
+		return seen > 0 && alone >= NEARLY_ALL * seen && open.size() >= Math.min(FEWEST_OPEN, (seen + 1) / 2)
 			&& staysInPlace(open);
 	}
 
