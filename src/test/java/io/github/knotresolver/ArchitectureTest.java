@@ -26,7 +26,7 @@ class ArchitectureTest {
 	/** The rooms, in the order in which data walks through them. */
 	private static final List<String> ROOMS = List.of("geometry", "progress", "model", "image", "mask",
 		"skeleton", "graph", "candidate", "contour", "fit", "track", "paper", "session",
-		"measure", "simulate", "evaluate", "options", "io", "run", "imagej", "command", "cli");
+		"measure", "simulate", "evaluate", "options", "io", "run", "imagej", "ui", "command", "cli");
 
 	private static final int LARGEST = 250;
 
@@ -60,9 +60,18 @@ class ArchitectureTest {
 	@Test
 	void onlyTheEdgeKnowsImageJAndAwt() {
 		noClasses().that()
-			.resideOutsideOfPackages(ROOT + "imagej..", ROOT + "command..", ROOT + "cli..").should()
-			.dependOnClassesThat()
+			.resideOutsideOfPackages(ROOT + "imagej..", ROOT + "ui..", ROOT + "command..",
+				ROOT + "cli..")
+			.should().dependOnClassesThat()
 			.resideInAnyPackage("ij..", "java.awt..", "javax.swing..", "org.jfree..")
+			.check(CLASSES);
+	}
+
+	@Test
+	void modelsOfWindowsKnowNoWindow() {
+		noClasses().that().resideInAPackage(ROOT + "ui.model..").should().dependOnClassesThat()
+			.resideInAnyPackage("ij..", "java.awt..", "javax.swing..", "org.jfree..",
+				ROOT + "imagej..")
 			.check(CLASSES);
 	}
 

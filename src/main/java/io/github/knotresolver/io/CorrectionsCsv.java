@@ -83,6 +83,21 @@ public final class CorrectionsCsv {
 		}
 	}
 
+	/**
+	 * @param said what a person said
+	 * @return the same as {@link #read} gives it back: with the decimals that the file has
+	 */
+	public static Constraint asWritten(final Constraint said) {
+		return said.with(shape -> {
+			final double[] x = shape.xs(), y = shape.ys();
+			for (int i = 0; i < x.length; i++) {
+				x[i] = Double.parseDouble(NumberText.pixels(x[i]));
+				y[i] = Double.parseDouble(NumberText.pixels(y[i]));
+			}
+			return Polyline.of(x, y);
+		});
+	}
+
 	/** The rows of one constraint; {@code part} tells several refused contours apart. */
 	private record Group(int filament, int frame, Kind kind, int part) {
 

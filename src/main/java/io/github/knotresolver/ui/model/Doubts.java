@@ -1,0 +1,40 @@
+package io.github.knotresolver.ui.model;
+
+import java.util.Comparator;
+import java.util.List;
+
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Observation;
+
+/** Where a person should look: frames whose contour may be wrong, or is missing. */
+final class Doubts {
+
+	/** From this confidence on, nine of ten contours are right, and a person need not look. */
+	static final double SURE = 0.9;
+
+	private Doubts() {
+	}
+
+	/** @return the doubtful frames of a filament, the least certain first, then in order of time */
+	static List<Integer> of(final FilamentTrack track, final Edits edits) {
+		return track.frames().stream().filter(Doubts::isDoubtful)
+			.filter(o -> !edits.checked().contains(new Edits.Place(track.id(), o.frame())))
+			.sorted(Comparator.comparingDouble(Doubts::certainty)
+				.thenComparingInt(Observation::frame))
+			.map(Observation::frame).toList();
+	}
+
+	private static boolean isDoubtful(final Observation o) {
+		return switch (o.status()) {
+			case RESOLVED -> !(o.confidence() >= SURE);
+			case UNRESOLVED, LOST -> true;
+			case CORRECTED, ABSENT, IGNORED -> false;
+		};
+	}
+
+	/** What has no contour comes first. */
+	private static double certainty(final Observation o) {
+		return o.status() == FrameStatus.RESOLVED && o.confidence() >= 0 ? o.confidence() : -1;
+	}
+}

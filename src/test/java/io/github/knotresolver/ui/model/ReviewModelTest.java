@@ -1,0 +1,291 @@
+package io.github.knotresolver.ui.model;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.TreeSet;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+
+import net.imglib2.img.array.ArrayImgs;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Alternative;
+import io.github.knotresolver.model.Anchor;
+import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.Constraint;
+import io.github.knotresolver.model.Constraint.Kind;
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.progress.CancelledException;
+import io.github.knotresolver.progress.Progress;
+
+/** What a review shows and remembers, with a solver that answers by rote. */
+@Timeout(30)
+class ReviewModelTest {
+
+	/** Of frames 1 to 6; NaN: lost. */
+	private static final double[] CONFIDENCES = {0.99, 0.4, 0.95, 0.7, Double.NaN, 0.4};
+	private static final Movie MOVIE = new Movie("drawn",
+		ArrayImgs.floats(40, 40, CONFIDENCES.length), Calibration.NONE);
+	private static final Polyline SHOWN = line(3), OTHER = line(7);
+
+	private static Polyline line(final double y) {
+		return Polyline.of(List.of(new Point(1, y), new Point(30, y)));
+	}
+
+	/** Whole contours are followed to the letter, and no other word has a consequence. */
+	private static Tracks answer(final List<Constraint> said) {
+		final List<Observation> frames = new ArrayList<>();
+		for (int t = 1; t <= CONFIDENCES.length; t++) {
+			final int frame = t;
+			final Optional<Constraint> given = said.stream()
+				.filter(c -> c.frame() == frame && c.kind() == Kind.CONTOUR).findFirst();
+			if (given.isPresent())
+				frames.add(new Observation(t, FrameStatus.CORRECTED, "As the user said.",
+					given.map(Constraint::shape), 0, 1, 0, 1));
+			else if (Double.isNaN(CONFIDENCES[t - 1]))
+				frames.add(Observation.without(t, FrameStatus.LOST, "Nothing was seen."));
+			else
+				frames.add(new Observation(t, FrameStatus.RESOLVED, "", Optional.of(SHOWN), 0, 2,
+					1, CONFIDENCES[t - 1]).withAlternatives(List.of(new Alternative(OTHER, 2))));
+		}
+		return new Tracks(MOVIE, Settings.DEFAULT.edit().constraints(said).build(),
+			List.of(new FilamentTrack(1, Anchor.CLAMPED, Optional.empty(), 29, 0.1, frames)),
+			List.of());
+	}
+
+	private static ReviewModel model() throws InterruptedException {
+		return model((said, progress) -> answer(said));
+	}
+
+	private static ReviewModel model(final Solver solver) throws InterruptedException {
+		final ReviewModel model = new ReviewModel(MOVIE, solver, List.of());
+		model.atRest();
+		return model;
+	}
+
+	@Test
+	void theLeastCertainFrameComesFirst() throws InterruptedException {
+		try (ReviewModel model = model()) {
+			assertEquals(List.of(5, 2, 6, 4), model.doubtful());
+			final List<Integer> visited = new ArrayList<>();
+			for (int i = 0; i < 5; i++) {
+				model.nextDoubtful();
+				visited.add(model.frame());
+			}
+			assertEquals(List.of(5, 2, 6, 4, 5), visited);
+			model.previousDoubtful();
+			assertEquals(4, model.frame());
+			model.goTo(3);
+			model.previousDoubtful();
+			assertEquals(4, model.frame());
+			model.goTo(99);
+			assertEquals(6, model.frame());
+			model.goTo(-1);
+			assertEquals(1, model.frame());
+		}
+	}
+
+	@Test
+	void whatIsAcceptedOrCorrectedIsDoubtfulNoMore() throws InterruptedException {
+		try (ReviewModel model = model()) {
+			model.goTo(2);
+			model.accept();
+			assertTrue(model.isChecked(2));
+			model.goTo(6);
+			model.take(0);
+			assertEquals(Optional.of(OTHER),
+				model.atRest().only().frames().get(5).contour());
+			assertEquals(List.of(5, 4), model.doubtful());
+			assertEquals(new TreeSet<>(List.of(6)), model.changed());
+			model.undo();
+			model.undo();
+			model.atRest();
+			assertEquals(List.of(5, 2, 6, 4), model.doubtful());
+			assertFalse(model.isChecked(2));
+			assertFalse(model.canUndo());
+			model.redo();
+			model.redo();
+			assertEquals(Optional.of(OTHER),
+				model.atRest().only().frames().get(5).contour());
+			assertFalse(model.canRedo());
+		}
+	}
+
+	@Test
+	void aNewWordEndsWhatCouldBeDoneAgain() throws InterruptedException {
+		try (ReviewModel model = model()) {
+			model.tip(new Point(5, 5));
+			model.undo();
+			assertTrue(model.canRedo());
+			model.tip(new Point(6, 6));
+			assertFalse(model.canRedo());
+			assertEquals(List.of(said(Kind.TIP, new Point(6, 6))), model.said());
+		}
+	}
+
+	private static Constraint said(final Kind kind, final Point... places) {
+		return new Constraint(1, 1, kind, Polyline.of(List.of(places)));
+	}
+
+	@Test
+	void wordsThatCannotBothBeTrueOverruleEachOther() throws InterruptedException {
+		final Point a = new Point(5, 5), b = new Point(9.00049, 9);
+		try (ReviewModel model = model()) {
+			model.through(a);
+			model.through(b);
+			model.tip(a);
+			model.tip(b);
+			assertEquals(List.of(said(Kind.THROUGH, a, new Point(9, 9)),
+				said(Kind.TIP, new Point(9, 9))), model.said());
+			model.contour(OTHER);
+			assertEquals(List.of(new Constraint(1, 1, Kind.CONTOUR, OTHER)), model.said());
+			model.atRest();
+			model.refuse();
+			assertEquals(List.of(new Constraint(1, 1, Kind.NOT, OTHER)), model.said());
+			model.atRest();
+			model.refuse();
+			assertEquals(2, model.said().size());
+			model.withdraw();
+			assertEquals(List.of(), model.said());
+		}
+	}
+
+	@Test
+	void theNextWordOvertakesTheWorkOnTheLast() throws InterruptedException {
+		final CountDownLatch working = new CountDownLatch(1);
+		final AtomicInteger stopped = new AtomicInteger(), answered = new AtomicInteger();
+		try (ReviewModel model = model((said, progress) -> {
+			if (said.size() == 1) {
+				working.countDown();
+				untilCancelled(progress, stopped);
+			}
+			answered.incrementAndGet();
+			return answer(said);
+		})) {
+			model.goTo(2);
+			model.take(0);
+			assertTrue(working.await(20, TimeUnit.SECONDS));
+			// Nothing waits for the solver.
+			assertEquals(Optional.of(SHOWN), model.shown().orElseThrow().contour());
+			model.goTo(4);
+			model.take(0);
+			final List<Observation> frames = model.atRest().only().frames();
+			assertEquals(Optional.of(OTHER), frames.get(1).contour());
+			assertEquals(Optional.of(OTHER), frames.get(3).contour());
+			assertEquals(new TreeSet<>(List.of(2, 4)), model.changed());
+			assertEquals(1, stopped.get());
+			assertEquals(2, answered.get());
+		}
+	}
+
+	private static void untilCancelled(final Progress progress, final AtomicInteger stopped) {
+		while (true) {
+			try {
+				progress.checkCancelled();
+				Thread.sleep(1);
+			} catch (final CancelledException e) {
+				stopped.incrementAndGet();
+				throw e;
+			} catch (final InterruptedException e) {
+				throw new IllegalStateException(e);
+			}
+		}
+	}
+
+	@Test
+	void whatCannotBeFollowedIsTakenBackWithItsReason() throws InterruptedException {
+		try (ReviewModel model = model((said, progress) -> {
+			if (said.stream().anyMatch(c -> c.kind() == Kind.TIP))
+				throw new UserException("Draw the whole contour.");
+			return answer(said);
+		})) {
+			model.goTo(2);
+			model.take(0);
+			model.atRest();
+			model.tip(new Point(3, 3));
+			assertEquals(1, model.atRest().settings().constraints().size());
+			assertEquals(Optional.of("Draw the whole contour."), model.problem());
+			assertEquals(1, model.said().size());
+			assertTrue(model.canUndo());
+			// A contour of less than a pixel is refused before any work.
+			model.contour(Polyline.of(List.of(new Point(1, 1), new Point(1.1, 1))));
+			assertTrue(model.problem().orElseThrow().contains("more than a pixel apart"));
+			model.accept();
+			assertEquals(Optional.empty(), model.problem());
+		}
+	}
+
+	@Test
+	void whatWasSaidBeforeIsSaidAgain() throws InterruptedException {
+		final List<Constraint> before = List.of(new Constraint(1, 4, Kind.CONTOUR, OTHER));
+		try (ReviewModel model = new ReviewModel(MOVIE, (said, progress) -> answer(said), before)) {
+			assertEquals(before, model.atRest().settings().constraints());
+			assertEquals(List.of(5, 2, 6), model.doubtful());
+			assertTrue(model.isChecked(4));
+			assertFalse(model.canUndo());
+		}
+	}
+
+	@Test
+	void aMovieWithoutAResultSaysWhy() throws InterruptedException {
+		try (ReviewModel model = new ReviewModel(MOVIE, (said, progress) -> {
+			throw new UserException("No filament was found.");
+		}, List.of())) {
+			assertEquals("No filament was found.",
+				assertThrows(UserException.class, model::atRest).getMessage());
+			model.accept();
+			model.take(0);
+			assertEquals(List.of(), model.said());
+			assertEquals(List.of(), model.doubtful());
+			assertTrue(Double.isNaN(model.confidences()[3]));
+		}
+	}
+
+	@Test
+	void listenersHearOfFramesWordsAndAnswers() throws InterruptedException {
+		final AtomicInteger heard = new AtomicInteger();
+		try (ReviewModel model = model()) {
+			model.listen(heard::incrementAndGet);
+			model.goTo(2);
+			assertEquals(1, heard.get());
+			model.goTo(2);
+			model.choose(2);
+			assertEquals(1, heard.get());
+			model.accept();
+			assertEquals(2, heard.get());
+			model.take(0);
+			model.atRest();
+		}
+		assertTrue(heard.get() >= 3, "heard " + heard);
+	}
+
+	@Test
+	void closingStopsTheWork() throws InterruptedException {
+		final AtomicInteger stopped = new AtomicInteger();
+		final ReviewModel model = new ReviewModel(MOVIE, (said, progress) -> {
+			untilCancelled(progress, stopped);
+			return answer(said);
+		}, List.of());
+		model.close();
+		assertThrows(UserException.class, model::atRest);
+		model.undo();
+		assertEquals(Optional.empty(), model.stage());
+	}
+}
