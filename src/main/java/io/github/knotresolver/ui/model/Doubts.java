@@ -25,6 +25,15 @@ final class Doubts {
 			.map(Observation::frame).toList();
 	}
 
+	/** @return the frame after or before one in this order, round and round; that one if there is none */
+	static int step(final List<Integer> doubtful, final int frame, final int by) {
+		if (doubtful.isEmpty())
+			return frame;
+		final int at = doubtful.indexOf(frame);
+		final int next = at < 0 ? by > 0 ? 0 : -1 : at + by;
+		return doubtful.get(Math.floorMod(next, doubtful.size()));
+	}
+
 	private static boolean isDoubtful(final Observation o) {
 		return switch (o.status()) {
 			case RESOLVED -> !(o.confidence() >= SURE);

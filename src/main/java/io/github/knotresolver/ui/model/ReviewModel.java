@@ -156,12 +156,7 @@ public final class ReviewModel implements AutoCloseable {
 	}
 
 	private void step(final int by) {
-		final List<Integer> frames = doubtful();
-		if (frames.isEmpty())
-			return;
-		final int at = frames.indexOf(frame());
-		final int next = at < 0 ? by > 0 ? 0 : -1 : at + by;
-		goTo(frames.get(Math.floorMod(next, frames.size())));
+		goTo(Doubts.step(doubtful(), frame(), by));
 	}
 
 	/** @param place the contour of this frame passes here, in pixels */
