@@ -30,7 +30,7 @@ public final class KnotResolverMain implements Runnable {
 	private static final String MORE_MEMORY = "give Java more, such as JAVA_OPTS=-Xmx8g";
 
 	private static final Pattern KEY = Pattern
-		.compile("(^|\\badd |(?<![\\w/.])(?=[a-z]+_))([a-z_]+)(?![\\w/.])");
+		.compile("(^|\\badd |(?<![\\w/.])(?=[a-z]+_))([a-z_]+)(?![\\w/]|\\.\\w)");
 
 	@Spec
 	private CommandSpec spec;

@@ -6,12 +6,16 @@ import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.BitSet;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ThreadLocalRandom;
+
+import io.github.knotresolver.model.UserException;
 
 /**
  * A lock that one run holds while it writes to a place: a small hidden file,
@@ -37,6 +41,7 @@ final class FolderLock implements Closeable {
 	/**
 	 * @param file the lock's file; made if absent
 	 * @return the lock; empty if another run holds it
+	 * @throws UserException if a file of somebody else has that name; it is left alone
 	 * @throws IOException if the file cannot be made
 	 */
 	static Optional<FolderLock> acquire(final Path file) throws IOException {
@@ -55,12 +60,16 @@ final class FolderLock implements Closeable {
 
 	private static Optional<FolderLock> lock(final Path file) throws IOException {
 		while (true) {
+			if (Files.isSymbolicLink(file))
+				throw foreign(file);
 			final FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE,
-				StandardOpenOption.WRITE);
+				StandardOpenOption.READ, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
 			boolean kept = false;
 			try {
 				if (!tryLock(channel))
 					return Optional.empty();
+				if (!isBlank(channel))
+					throw foreign(file);
 				kept = isStill(file, channel);
 				if (kept)
 					return Optional.of(new FolderLock(file, channel));
@@ -80,6 +89,22 @@ final class FolderLock implements Closeable {
 		} catch (final IOException e) {
 			return true;
 		}
+	}
+
+	/** A lock's file has a size, and nothing in it but zeros. */
+	private static boolean isBlank(final FileChannel channel) throws IOException {
+		if (channel.size() >= LARGEST)
+			return false;
+		final ByteBuffer content = ByteBuffer.allocate((int) channel.size());
+		while (content.hasRemaining() && channel.read(content, content.position()) > 0) {
+			// All of it.
+		}
+		return BitSet.valueOf(content.array()).isEmpty();
+	}
+
+	private static UserException foreign(final Path file) {
+		return new UserException("The file " + file
+			+ " stands where this program locks its output, and is not its own; move it away, or choose another output.");
 	}
 
 	/** Whoever held the lock before may have deleted the file after it was opened here. */

@@ -8,11 +8,14 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
+
+import io.github.knotresolver.measure.Quantity;
 
 /**
  * The kinds of folder that this program writes, and the names of the files that
@@ -97,7 +100,10 @@ public enum ResultKind {
 	/** Names that several kinds have. */
 	private static final class Names {
 
-		private static final String FIGURES = "(contours|end_to_end|length|tip_angle|[a-z_]+_spectrum|[a-z_]+_kymograph)(-\\d{2,})?\\.(png|svg)"
-			+ "|[a-z_]+_kymograph(-\\d{2,})?\\.tif";
+		private static final String QUANTITY = Arrays.stream(Quantity.values()).map(Quantity::key)
+			.collect(Collectors.joining("|", "(", ")"));
+		private static final String KYMOGRAPH = "(tangent_angle|curvature)_kymograph";
+		private static final String FIGURES = "(contours|" + QUANTITY + "(_spectrum)?|" + KYMOGRAPH
+			+ ")(-\\d{2,})?\\.(png|svg)|" + KYMOGRAPH + "(-\\d{2,})?\\.tif";
 	}
 }

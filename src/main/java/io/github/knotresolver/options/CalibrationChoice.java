@@ -87,7 +87,7 @@ public record CalibrationChoice(OptionalDouble pixelSize, Optional<String> unit,
 		if (!named && image.hasLengthUnit() && !image.unit().equals(UnitText.MICROMETRE))
 			throw new UserException(
 				"pixel_size is " + text(size) + ", but not in which unit, and the image's own is "
-					+ image.unit() + "; tell it: unit=µm, or unit=" + image.unit() + ".");
+					+ image.unit() + "; add unit=µm, or add unit=" + image.unit() + ".");
 		final String in = unit.orElse(UnitText.MICROMETRE);
 		if (in.equals(Calibration.NONE.unit()))
 			throw new UserException("pixel_size is " + text(size)

@@ -73,7 +73,7 @@ final class EvidenceNotes {
 				"Saturated: %.0f %% of the lines' length has the largest brightness; strands that cross are taken to be no brighter than one.",
 				100 * clipping.share()));
 		if (blank > 0)
-			notes.add("Blank frames: " + blank + " without light " + (blank == 1 ? "is" : "are")
+			notes.add("Blank frames: " + blank + ", dark or bright throughout, " + (blank == 1 ? "is" : "are")
 				+ " left out; frames.csv says which.");
 		return notes;
 	}

@@ -61,7 +61,7 @@ final class EvidencePreparer {
 		for (final FrameView view : views)
 			if (!lit.contains(view))
 				lost.add(Observation.without(view.frame(), FrameStatus.LOST,
-					"There is no light in this frame where the filament is in those around it."));
+					"This frame is blank, dark or bright throughout, where the filament is in those around it."));
 		final WorkingPixels pixels = new WorkingPixels(blocks.binning(), box.x(), box.y());
 		final Clipping clipping = Clipping.along(movie, lit, pixels);
 		final List<String> late = EvidenceNotes.late(lit, lost.size(), clipping);

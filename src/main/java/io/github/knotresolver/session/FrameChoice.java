@@ -36,8 +36,8 @@ public record FrameChoice(Movie movie, Settings parameters) {
 			.filter(f -> !parameters.ignoreFrames().contains(f)).toList();
 		if (wanted.isEmpty())
 			throw new UserException(
-				"No frame is left to resolve: frames and ignore_frames leave none of the "
-					+ movie.size() + " frames of '" + movie.name() + "'.");
+				"No frame is left to resolve: each of the " + movie.size() + " frames of '"
+					+ movie.name() + "' is ignored or not chosen; choose at least one.");
 		return wanted;
 	}
 

@@ -60,6 +60,13 @@ class SimulateCommandLineTest {
 		return run(args.toArray(String[]::new));
 	}
 
+	@Test
+	void sentenceThatEndsWithAKeySpeaksOfTheOption() {
+		final Run run = simulate("--persistence-length", "1");
+		assertTrue(run.err.contains("a longer --persistence-length."), run.err);
+		assertFalse(Files.exists(out));
+	}
+
 	@ParameterizedTest
 	@CsvSource({"paper, 8", "paper, 16", "optical, 8", "optical, 16"})
 	void writesAMovieItsTruthAndItsParameters(final String rendering, final String bits)

@@ -89,14 +89,18 @@ class ResultFolderTest {
 		write("old", false);
 		Files.writeString(out.resolve("corrections.csv"), "drawn by hand");
 		Files.writeString(out.resolve("overlay.avi"), "old");
+		Files.writeString(out.resolve("tip_angle_spectrum-02.svg"), "old");
+		Files.writeString(out.resolve("curvature_kymograph.tif"), "old");
+		Files.writeString(out.resolve("control_kymograph.tif"), "of another program");
+		Files.writeString(out.resolve("dye_spectrum.png"), "of another program");
 		Files.createDirectories(out.resolve("figures/deep"));
 		Files.writeString(out.resolve("figures/deep/contours.csv"), "copied");
 		write("new", true);
 		assertEquals("new", Files.readString(out.resolve(FramesCsv.FILE)));
 		assertEquals("drawn by hand", Files.readString(out.resolve("corrections.csv")));
 		assertEquals("copied", Files.readString(out.resolve("figures/deep/contours.csv")));
-		assertEquals(List.of("corrections.csv", "figures", FramesCsv.FILE, ParametersJson.FILE),
-			FileTrees.names(out));
+		assertEquals(List.of("control_kymograph.tif", "corrections.csv", "dye_spectrum.png",
+			"figures", FramesCsv.FILE, ParametersJson.FILE), FileTrees.names(out));
 		assertEquals(List.of("result"), FileTrees.names(home));
 	}
 
@@ -223,6 +227,17 @@ class ResultFolderTest {
 		}
 		write("second", true);
 		assertEquals("second", Files.readString(out.resolve(FramesCsv.FILE)));
+	}
+
+	@Test
+	void whatOnlyHasTheNameOfALockIsLeftAlone() throws IOException {
+		final Path lock = Files.writeString(home.resolve(".result.lock"), "of another program");
+		assertTrue(refusal(true).contains(lock.toString()), refusal(true));
+		assertEquals("of another program", Files.readString(lock));
+		final Path precious = Files.move(lock, home.resolve("precious"));
+		Files.createSymbolicLink(lock, precious);
+		assertTrue(refusal(true).contains(lock.toString()), refusal(true));
+		assertEquals("of another program", Files.readString(precious));
 	}
 
 	@Test
