@@ -10,8 +10,9 @@ import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.AnchorChoice;
 
 /**
- * Which end of a filament comes first: the clamped one if there is one, otherwise the one
- * that trails.
+ * Which end of a filament comes first: the clamped one if there is one; the trailing one of a
+ * filament that glides along its own track; of one that is carried about while it beats, the
+ * end that moves less and more smoothly, as a clamp that is carried.
  *
  * @param clamped whether one end is held
  * @param reversed whether the last point comes first
@@ -30,6 +31,18 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid) {
 	 * this share of what the other end does.
 	 */
 	private static final double PLACE = 4, PLACE_SHARE = 0.5;
+
+	/** Motion is looked at over so many frames that a filament slides this far (pixels). */
+	private static final double FAR = 5;
+
+	/**
+	 * What glides stays on its track: it comes off it (median over its points) by less than this
+	 * share of what it slides.
+	 */
+	private static final double OFF_TRACK = 0.15;
+
+	/** Both ends of a filament move alike if neither moves so much less and more smoothly. */
+	private static final double ALIKE = 0.95;
 
 	/**
 	 * @param chains a filament in all its frames, in order of time
@@ -55,7 +68,53 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid) {
 			case CLAMPED -> true;
 			case FREE -> false;
 		};
-		return new FilamentEnds(clamped, clamped ? stillIsLast : slid < 0, Math.abs(slid));
+		return new FilamentEnds(clamped, clamped ? stillIsLast : trails(chains, slid, f, l),
+			Math.abs(slid));
+	}
+
+	/** Whether the last end of a free filament comes first, by its slide and its ends' steps. */
+	private static boolean trails(final List<Chain> chains, final double slid, final double first,
+		final double last) {
+		if (glides(chains, slid))
+			return slid < 0;
+		final double f = first * unsteadiness(chains, false), l = last * unsteadiness(chains, true);
+		return Math.min(f, l) < ALIKE * Math.max(f, l) ? l < f : slid < 0;
+	}
+
+	/** Whether a filament follows its own track. O(frames links²). */
+	private static boolean glides(final List<Chain> chains, final double slid) {
+		final int steps = chains.size() - 1;
+		if (steps < 1 || slid == 0)
+			return false;
+		final int lag = (int) Math.min(steps, Math.ceil(FAR * steps / Math.abs(slid)));
+		final double[] off = new double[steps + 1 - lag];
+		for (int t = 0; t < off.length; t++)
+			off[t] = offTrack(chains.get(t).polyline(), chains.get(t + lag).polyline());
+		return median(off) < OFF_TRACK * lag * Math.abs(slid) / steps;
+	}
+
+	/** Median distance of the nodes of a later shape from an earlier one. */
+	private static double offTrack(final Polyline before, final Polyline after) {
+		final double[] distances = new double[after.size()];
+		for (int i = 0; i < distances.length; i++) {
+			double nearest = Double.POSITIVE_INFINITY;
+			for (int k = 0; k + 1 < before.size(); k++)
+				nearest = Math.min(nearest, after.point(i)
+					.distanceToSegment(before.point(k), before.point(k + 1)));
+			distances[i] = nearest;
+		}
+		return median(distances);
+	}
+
+	/** Median change of an end's step from frame to frame, in pixels. */
+	private static double unsteadiness(final List<Chain> chains, final boolean last) {
+		final List<Point> at = ends(chains, last);
+		final double[] changes = new double[Math.max(0, at.size() - 2)];
+		for (int t = 0; t < changes.length; t++) {
+			final Point a = at.get(t), b = at.get(t + 1), c = at.get(t + 2);
+			changes[t] = Math.hypot(a.x() - 2 * b.x() + c.x(), a.y() - 2 * b.y() + c.y());
+		}
+		return median(changes);
 	}
 
 	private static List<Point> ends(final List<Chain> chains, final boolean last) {

@@ -44,4 +44,38 @@ class FilamentEndsTest {
 		assertTrue(ends.reversed());
 		assertFalse(FilamentEnds.of(chains, AnchorChoice.FREE).clamped());
 	}
+
+	@Test
+	void ofABeatingFilamentThatIsCarriedTheEndThatMovesLessComesFirst() {
+		final List<Chain> chains = new ArrayList<>();
+		for (int t = 0; t < 40; t++)
+			chains.add(rod(150 - 2 * t, 50 + 10 * Math.sin(0.1 * t), 0.5 * Math.sin(0.4 * t)));
+		final FilamentEnds ends = FilamentEnds.of(chains, AnchorChoice.AUTO);
+		assertFalse(ends.clamped());
+		assertTrue(ends.slid() > 60, "it is carried towards its first end");
+		assertFalse(ends.reversed());
+		assertTrue(FilamentEnds.of(chains.stream().map(Chain::reversed).toList(),
+			AnchorChoice.AUTO).reversed());
+	}
+
+	@Test
+	void aGliderOnABentTrackKeepsItsDirectionThoughItsTrailingEndMovesMore() {
+		final List<Chain> chains = new ArrayList<>();
+		for (int t = 0; t < 30; t++)
+			chains.add(onRing(0.05 * t));
+		assertFalse(FilamentEnds.of(chains, AnchorChoice.AUTO).reversed());
+		assertTrue(FilamentEnds.of(chains.stream().map(Chain::reversed).toList(),
+			AnchorChoice.AUTO).reversed());
+	}
+
+	/** A part of a ring whose trailing end sways. */
+	private static Chain onRing(final double from) {
+		final double[] x = new double[41], y = new double[41];
+		for (int i = 0; i <= 40; i++) {
+			final double r = 40 + (i < 5 ? (5 - i) * 0.3 * Math.cos(60 * from) : 0);
+			x[i] = 60 + r * Math.cos(from + 0.03 * i);
+			y[i] = 60 + r * Math.sin(from + 0.03 * i);
+		}
+		return Chain.inScene(Polyline.of(x, y), 48);
+	}
 }
