@@ -79,11 +79,13 @@ public final class KnotResolverMain implements Runnable {
 	 */
 	static int run(final Engine engine, final Progress progress, final PrintWriter out,
 		final PrintWriter err, final String... args) {
-		System.setProperty("java.awt.headless", "true");
+		if (args.length == 0 || !args[0].equals(ReviewSubcommand.NAME))
+			System.setProperty("java.awt.headless", "true");
 		final KnotResolverMain program = new KnotResolverMain();
 		final CommandLine line = new CommandLine(program)
 			.addSubcommand(GivenOptions.taking(new ResolveSubcommand(engine, progress)))
 			.addSubcommand(GivenOptions.taking(new BatchSubcommand(engine, progress)))
+			.addSubcommand(new ReviewSubcommand(progress))
 			.addSubcommand(new MeasureSubcommand(progress))
 			.addSubcommand(new SimulateSubcommand(progress))
 			.addSubcommand(new EvaluateSubcommand(engine, progress))

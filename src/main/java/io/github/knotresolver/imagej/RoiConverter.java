@@ -137,6 +137,22 @@ public final class RoiConverter {
 	}
 
 	/**
+	 * @param roi a selection; may be null
+	 * @return the course of a line selection, in pixels; empty if it is another kind
+	 */
+	public static Optional<Polyline> line(final Roi roi) {
+		if (roi == null || !roi.isLine())
+			return Optional.empty();
+		final var points = roi.getFloatPolygon();
+		final double[] x = new double[points.npoints], y = new double[points.npoints];
+		for (int i = 0; i < x.length; i++) {
+			x[i] = points.xpoints[i];
+			y[i] = points.ypoints[i];
+		}
+		return Optional.of(Polyline.of(x, y));
+	}
+
+	/**
 	 * @param image an image
 	 * @return the bounds of its area selection; empty if it has none, or all is
 	 *         selected

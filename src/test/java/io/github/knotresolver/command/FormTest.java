@@ -31,8 +31,8 @@ import io.github.knotresolver.options.RunOptions;
 class FormTest {
 
 	static Stream<KnotCommand> commands() {
-		return Stream.of(new ResolveFilamentCommand(), new MeasureContoursCommand(),
-			new BatchCommand(), new SimulateMovieCommand(), new EvaluateCommand(),
+		return Stream.of(new ResolveFilamentCommand(), new ReviewResultCommand(),
+			new CorrectFrameCommand(), new MeasureContoursCommand(), new BatchCommand(), new SimulateMovieCommand(), new EvaluateCommand(),
 			new SampleCommand(), new CiteCommand());
 	}
 

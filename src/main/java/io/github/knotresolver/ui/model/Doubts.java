@@ -19,10 +19,16 @@ final class Doubts {
 	/** @return the doubtful frames of a filament, the least certain first, then in order of time */
 	static List<Integer> of(final FilamentTrack track, final Edits edits) {
 		return track.frames().stream().filter(Doubts::isDoubtful)
-			.filter(o -> !edits.checked().contains(new Edits.Place(track.id(), o.frame())))
+			.filter(o -> !isChecked(track, o.frame(), edits))
 			.sorted(Comparator.comparingDouble(Doubts::certainty)
 				.thenComparingInt(Observation::frame))
 			.map(Observation::frame).toList();
+	}
+
+	/** @return whether a frame was accepted, or its contour is as a person said */
+	static boolean isChecked(final FilamentTrack track, final int frame, final Edits edits) {
+		return track.frames().get(frame - 1).status() == FrameStatus.CORRECTED
+			|| edits.checked().contains(new Edits.Place(track.id(), frame));
 	}
 
 	/** @return the frame after or before one in this order, round and round; that one if there is none */

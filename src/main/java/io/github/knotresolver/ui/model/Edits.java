@@ -86,12 +86,6 @@ record Edits(List<Constraint> said, SortedSet<Place> checked) {
 		return new Edits(said, more);
 	}
 
-	/** @return whether what is shown there was found right, or is as a person said */
-	boolean isChecked(final Place place) {
-		return checked.contains(place) || said.stream()
-			.anyMatch(c -> c.filament() == place.filament && c.frame() == place.frame);
-	}
-
 	private static boolean isOfSamePlace(final Constraint a, final Constraint b) {
 		return a.frame() == b.frame() && a.filament() == b.filament();
 	}

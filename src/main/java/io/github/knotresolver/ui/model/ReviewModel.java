@@ -219,7 +219,7 @@ public final class ReviewModel implements AutoCloseable {
 
 	/** @return whether a frame was accepted, or its contour is as a person said */
 	public synchronized boolean isChecked(final int wanted) {
-		return history.present().isChecked(new Edits.Place(filament, wanted));
+		return track().filter(t -> Doubts.isChecked(t, wanted, history.present())).isPresent();
 	}
 
 	/** @return whether there is a step to be undone */

@@ -1,0 +1,95 @@
+package io.github.knotresolver.imagej;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.image.BufferedImage;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+import ij.gui.Overlay;
+import ij.gui.PolygonRoi;
+import ij.gui.Roi;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Tracks;
+
+/** What a review shows of a frame: small pictures of it, and contours over the image. */
+public final class ReviewPictures {
+
+	private static final int BRIGHTEST = 170, PIECES = 24, LINKS = 6;
+	private static final double LINE = 2, RING = 4;
+	private static final float[] DASHES = {4, 3};
+
+	private final Movie movie;
+	private final Contrast contrast;
+
+	/** @param movie the movie under review */
+	public ReviewPictures(final Movie movie) {
+		this.movie = movie;
+		contrast = Contrast.of(movie, BRIGHTEST);
+	}
+
+	/**
+	 * @param tracks the result
+	 * @param track the filament under review
+	 * @param frame from 1
+	 * @param contour what is drawn; empty for the picture alone
+	 * @param edge largest width and height of the picture on the screen
+	 * @return the part of the frame where the filament is in the movie, with the contour
+	 */
+	public BufferedImage small(final Tracks tracks, final FilamentTrack track, final int frame,
+		final Optional<Polyline> contour, final int edge) {
+		final Viewport part = Viewport.aroundContours(movie, List.of(track));
+		final FramePainter painter = new FramePainter(contrast, part
+			.scaled(Math.min(edge / (double) part.width(), edge / (double) part.height())));
+		final BufferedImage picture = painter.paint(movie.frame(frame - 1));
+		contour.ifPresent(c -> {
+			painter.draw(picture, c, ContourPainter.colour(tracks, track), LINE, 1);
+			painter.mark(picture, c.first(), RING);
+		});
+		return picture;
+	}
+
+	/**
+	 * @param tracks the result
+	 * @param track one of its filaments
+	 * @param contour in pixels
+	 * @return shapes without a position: the contour, coloured along its length
+	 */
+	public static Overlay overlay(final Tracks tracks, final FilamentTrack track,
+		final Polyline contour) {
+		final Overlay overlay = new Overlay();
+		final Polyline line = contour.divided(PIECES * LINKS);
+		for (int i = 0; i < PIECES; i++) {
+			final Roi piece = RoiConverter.polyline(
+				Polyline.of(Arrays.copyOfRange(line.xs(), i * LINKS, (i + 1) * LINKS + 1),
+					Arrays.copyOfRange(line.ys(), i * LINKS, (i + 1) * LINKS + 1)));
+			piece.setStrokeColor(
+				ContourPainter.colour(tracks, track).apply((i + 0.5) / PIECES));
+			piece.setUnscalableStrokeWidth(LINE);
+			overlay.add(piece);
+		}
+		return overlay;
+	}
+
+	/**
+	 * @param contour in pixels
+	 * @return a dashed white line: what might be, or is being drawn
+	 */
+	public static Roi dashed(final Polyline contour) {
+		final PolygonRoi roi = RoiConverter.polyline(contour);
+		roi.setStroke(new BasicStroke(1, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, DASHES, 0));
+		roi.setStrokeColor(Color.WHITE);
+		return roi;
+	}
+
+	/**
+	 * @param confidence 0..1
+	 * @return its colour, told apart by people with any colour vision
+	 */
+	public static Color colour(final double confidence) {
+		return Palette.ofConfidence(confidence);
+	}
+}

@@ -1,0 +1,133 @@
+package io.github.knotresolver.ui;
+
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Polygon;
+import java.awt.RenderingHints;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.HashSet;
+import java.util.Locale;
+import java.util.Set;
+
+import javax.swing.JComponent;
+import javax.swing.ToolTipManager;
+
+import io.github.knotresolver.imagej.ReviewPictures;
+import io.github.knotresolver.ui.model.ReviewModel;
+
+/**
+ * The whole movie at a glance: one column a frame, as high as its confidence. Doubtful frames have a
+ * triangle above, checked ones a square below, frames without a contour a grey column with a bar
+ * across. A click goes to the frame.
+ */
+final class ConfidenceStrip extends JComponent {
+
+	private static final long serialVersionUID = 1L;
+	private static final Color GROUND = new Color(0x2b, 0x2b, 0x2b), NONE = new Color(0x58, 0x58, 0x58),
+		CHANGED = new Color(0x56, 0xb4, 0xe9), CHECKED = new Color(0x56, 0xb4, 0xe9);
+
+	private final transient ReviewModel model;
+
+	ConfidenceStrip(final ReviewModel model) {
+		this.model = model;
+		final MouseAdapter mouse = new MouseAdapter() {
+
+			@Override
+			public void mousePressed(final MouseEvent e) {
+				model.goTo(frameAt(e.getX()));
+			}
+
+			@Override
+			public void mouseDragged(final MouseEvent e) {
+				model.goTo(frameAt(e.getX()));
+			}
+		};
+		addMouseListener(mouse);
+		addMouseMotionListener(mouse);
+		setName("confidence");
+		ToolTipManager.sharedInstance().registerComponent(this);
+	}
+
+	@Override
+	public Dimension getPreferredSize() {
+		final int em = getFontMetrics(getFont()).getHeight();
+		return new Dimension(40 * em, 5 * em);
+	}
+
+	private int frameAt(final int x) {
+		return Math.max(1,
+			Math.min(model.movie().size(), 1 + x * model.movie().size() / Math.max(1, getWidth())));
+	}
+
+	@Override
+	public String getToolTipText(final MouseEvent e) {
+		final int frame = frameAt(e.getX());
+		final double confidence = model.confidences()[frame - 1];
+		return "frame " + frame + (Double.isNaN(confidence)
+			? ": no contour"
+			: String.format(Locale.ROOT, ": confidence %.2f", confidence));
+	}
+
+	@Override
+	protected void paintComponent(final Graphics graphics) {
+		final Graphics2D g = (Graphics2D) graphics.create();
+		g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+		g.setColor(GROUND);
+		g.fillRect(0, 0, getWidth(), getHeight());
+		final double[] confidences = model.confidences();
+		final Set<Integer> doubtful = new HashSet<>(model.doubtful()),
+			changed = new HashSet<>(model.changed());
+		final int mark = Math.max(6, getHeight() / 8);
+		for (int frame = 1; frame <= confidences.length; frame++) {
+			final int left = left(frame), width = Math.max(1, left(frame + 1) - left);
+			if (changed.contains(frame)) {
+				g.setColor(CHANGED.darker().darker());
+				g.fillRect(left, 0, width, getHeight());
+			}
+			paintColumn(g, confidences[frame - 1], left, width, mark);
+			final int middle = left + width / 2;
+			if (doubtful.contains(frame)) {
+				g.setColor(Color.WHITE);
+				g.fill(new Polygon(
+					new int[]{middle - mark / 2, middle + mark / 2, middle}, new int[]{1, 1, mark},
+					3));
+			}
+			if (model.isChecked(frame)) {
+				g.setColor(CHECKED);
+				g.fillRect(middle - mark / 3, getHeight() - mark + 2, 2 * mark / 3, 2 * mark / 3);
+			}
+		}
+		paintPlace(g);
+		g.dispose();
+	}
+
+	private void paintColumn(final Graphics2D g, final double confidence, final int left,
+		final int width, final int mark) {
+		final int room = getHeight() - 2 * mark - 2, gap = width > 4 ? 1 : 0;
+		if (Double.isNaN(confidence)) {
+			g.setColor(NONE);
+			g.fillRect(left, mark + 1, width - gap, room);
+			g.setColor(Color.WHITE);
+			g.fillRect(left, mark + room / 2, width - gap, 2);
+			return;
+		}
+		final int height = (int) Math.max(2, Math.rint(confidence * room));
+		g.setColor(ReviewPictures.colour(confidence));
+		g.fillRect(left, mark + 1 + room - height, width - gap, height);
+	}
+
+	private void paintPlace(final Graphics2D g) {
+		final int left = left(model.frame()), width = Math.max(2, left(model.frame() + 1) - left);
+		g.setColor(Color.BLACK);
+		g.drawRect(left - 2, 0, width + 2, getHeight() - 1);
+		g.setColor(Color.WHITE);
+		g.drawRect(left - 1, 1, width, getHeight() - 3);
+	}
+
+	private int left(final int frame) {
+		return (int) ((long) (frame - 1) * getWidth() / model.movie().size());
+	}
+}

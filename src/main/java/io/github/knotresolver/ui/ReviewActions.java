@@ -1,0 +1,136 @@
+package io.github.knotresolver.ui;
+
+import java.awt.FlowLayout;
+import java.awt.event.ActionEvent;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
+
+import javax.swing.AbstractAction;
+import javax.swing.BoxLayout;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JRootPane;
+import javax.swing.KeyStroke;
+
+import ij.ImagePlus;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.imagej.RoiConverter;
+import io.github.knotresolver.ui.model.ReviewModel;
+
+/** What a person can do in a review: each by a button and by a key. */
+final class ReviewActions {
+
+	/** As many as there are digits beside that of the contour that is shown. */
+	static final int MOST_ALTERNATIVES = 8;
+
+	private static final int GAP = 4;
+
+	private final ReviewModel model;
+	private final ImagePlus image;
+	private final Consumer<String> say;
+	private final Runnable save;
+
+	/**
+	 * @param model what is said goes there
+	 * @param image has the selections
+	 * @param say told what is missing, one sentence
+	 * @param save saves
+	 */
+	ReviewActions(final ReviewModel model, final ImagePlus image, final Consumer<String> say,
+		final Runnable save) {
+		this.model = model;
+		this.image = image;
+		this.say = say;
+		this.save = save;
+	}
+
+	/** @return the buttons; their keys work in the whole window */
+	JPanel in(final JRootPane root) {
+		final Row correct = new Row(root), go = new Row(root);
+		correct.add("Pass through", "T", "The contour passes the image's point selection",
+			() -> atPoint(model::through));
+		correct.add("Tip is here", "E", "The contour ends at the image's point selection",
+			() -> atPoint(model::tip));
+		correct.add("Not this one", "X", "The contour that is shown is wrong", model::refuse);
+		correct.add("Draw", "D",
+			"The image's line selection is the whole contour, fixed end first", this::draw);
+		correct.add("Withdraw", "W", "Forget all that was said about this frame", model::withdraw);
+		go.add("Previous doubtful", "P", "The more doubtful frame before", model::previousDoubtful);
+		go.add("Next doubtful", "N", "The least certain frame, then the others",
+			model::nextDoubtful);
+		go.add("Accept", "SPACE", "What is shown is right; on to the next doubtful frame", () -> {
+			model.accept();
+			model.nextDoubtful();
+		});
+		go.add("Undo", "ctrl Z", "Take back the last step", model::undo);
+		go.add("Redo", "ctrl Y", "Do it again", model::redo);
+		go.add("Save", "S", "Write corrections.csv and the result", save);
+		walk(root);
+		final JPanel both = new JPanel();
+		both.setLayout(new BoxLayout(both, BoxLayout.Y_AXIS));
+		both.add(correct.panel);
+		both.add(go.panel);
+		return both;
+	}
+
+	private void walk(final JRootPane root) {
+		key(root, "LEFT", () -> model.goTo(model.frame() - 1));
+		key(root, "RIGHT", () -> model.goTo(model.frame() + 1));
+		key(root, "UP", () -> model.choose(model.filament() - 1));
+		key(root, "DOWN", () -> model.choose(model.filament() + 1));
+		key(root, "1", model::accept);
+		for (int i = 0; i < MOST_ALTERNATIVES; i++) {
+			final int index = i;
+			key(root, Integer.toString(i + 2), () -> model.take(index));
+		}
+	}
+
+	private void atPoint(final Consumer<Point> word) {
+		RoiConverter.point(image.getRoi()).ifPresentOrElse(word, () -> say
+			.accept("Click the place with ImageJ's point tool first, or drag the contour there."));
+	}
+
+	private void draw() {
+		final Optional<Polyline> line = RoiConverter.line(image.getRoi());
+		line.ifPresentOrElse(model::contour, () -> say.accept(
+			"Draw the contour with one of ImageJ's line tools first, from the fixed end to the tip."));
+	}
+
+	private static void key(final JRootPane root, final String key, final Runnable action) {
+		root.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke(key), key);
+		root.getActionMap().put(key, new AbstractAction() {
+
+			private static final long serialVersionUID = 1L;
+
+			@Override
+			public void actionPerformed(final ActionEvent e) {
+				action.run();
+			}
+		});
+	}
+
+	/** Buttons beside each other. */
+	private static final class Row {
+
+		private final JRootPane root;
+		private final JPanel panel = new JPanel(new FlowLayout(FlowLayout.LEFT, GAP, GAP / 2));
+
+		Row(final JRootPane root) {
+			this.root = root;
+		}
+
+		void add(final String words, final String key, final String help, final Runnable action) {
+			final JButton button = new JButton(words);
+			button.setName(words);
+			// The space bar accepts, wherever one clicked last.
+			button.setFocusable(false);
+			button.setToolTipText(help + " (key: " + key.toLowerCase(Locale.ROOT) + ")");
+			button.addActionListener(e -> action.run());
+			panel.add(button);
+			key(root, key, action);
+		}
+	}
+}

@@ -1,0 +1,272 @@
+package io.github.knotresolver.ui;
+
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
+
+import javax.swing.BorderFactory;
+import javax.swing.Box;
+import javax.swing.BoxLayout;
+import javax.swing.JComponent;
+import javax.swing.JFrame;
+import javax.swing.JLabel;
+import javax.swing.JOptionPane;
+import javax.swing.JPanel;
+import javax.swing.JTextArea;
+import javax.swing.SwingUtilities;
+import javax.swing.WindowConstants;
+
+import ij.ImagePlus;
+import ij.gui.GUI;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.imagej.ReviewPictures;
+import io.github.knotresolver.model.Alternative;
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.ui.model.ReviewModel;
+
+/**
+ * {@code Review Result...}: beside ImageJ's image, what is known of each frame, where to look, and
+ * what can be said about it. All of it is in {@link ReviewModel}; here it is painted.
+ */
+public final class ReviewWindow {
+
+	private static final int NEIGHBOURS = 2;
+
+	/** The windows that are open, by their image. */
+	private static final Map<ImagePlus, ReviewWindow> OPEN = new ConcurrentHashMap<>();
+
+	private final ReviewedResult result;
+	private final ReviewModel model;
+	private final ImagePlus image;
+	private final Runnable closed;
+	private final ReviewPictures pictures;
+	private final ImageLink link;
+	private final JFrame window;
+	private final JLabel headline = new JLabel(" "), status = new JLabel(" ");
+	private final JTextArea frame = new JTextArea(2, 40);
+	private final ConfidenceStrip strip;
+	private final Thumbnails alternatives = new Thumbnails(this::hover),
+		neighbours = new Thumbnails(contour -> {
+		});
+	private final AtomicBoolean stale = new AtomicBoolean();
+	private final AtomicInteger saving = new AtomicInteger();
+	private boolean gone;
+
+	private ReviewWindow(final ReviewedResult result, final ImagePlus image,
+		final Runnable closed) {
+		this.result = result;
+		this.image = image;
+		this.closed = closed;
+		model = result.model();
+		pictures = new ReviewPictures(model.movie());
+		strip = new ConfidenceStrip(model);
+		link = new ImageLink(image, result.channel(), model, () -> leave(false));
+		window = new JFrame("Review " + result.folder().getFileName());
+	}
+
+	/**
+	 * Opens a window beside an image. Called by the thread of events.
+	 *
+	 * @param result what is reviewed; closed with the window
+	 * @param image its movie, shown in a window
+	 * @param closed called when the window has been closed
+	 * @return the window
+	 */
+	public static ReviewWindow open(final ReviewedResult result, final ImagePlus image,
+		final Runnable closed) {
+		final ReviewWindow review = new ReviewWindow(result, image, closed);
+		OPEN.put(image, review);
+		review.build();
+		return review;
+	}
+
+	/**
+	 * @param image an image
+	 * @return whether its review is open; it is brought to the front then
+	 */
+	public static boolean toFront(final ImagePlus image) {
+		final ReviewWindow open = image == null ? null : OPEN.get(image);
+		if (open != null)
+			SwingUtilities.invokeLater(open.window::toFront);
+		return open != null;
+	}
+
+	private void build() {
+		frame.setEditable(false);
+		frame.setFocusable(false);
+		frame.setLineWrap(true);
+		frame.setWrapStyleWord(true);
+		frame.setOpaque(false);
+		frame.setFont(headline.getFont());
+		frame.setName("frame");
+		status.setName("status");
+		headline.setName("headline");
+		final JPanel middle = new JPanel();
+		middle.setLayout(new BoxLayout(middle, BoxLayout.Y_AXIS));
+		for (final Component part : List.of(frame, new JLabel("Alternatives, cheapest first"),
+			alternatives, new JLabel("Neighbours"), neighbours,
+			new ReviewActions(model, image, this::say, this::save).in(window.getRootPane()))) {
+			((JComponent) part).setAlignmentX(Component.LEFT_ALIGNMENT);
+			middle.add(part);
+			middle.add(Box.createVerticalStrut(4));
+		}
+		final JPanel below = new JPanel(new BorderLayout(4, 4));
+		below.add(middle, BorderLayout.CENTER);
+		below.add(status, BorderLayout.SOUTH);
+		final JPanel all = new JPanel(new BorderLayout(4, 4));
+		all.setBorder(BorderFactory.createEmptyBorder(8, 8, 8, 8));
+		all.add(headline, BorderLayout.NORTH);
+		all.add(strip, BorderLayout.CENTER);
+		all.add(below, BorderLayout.SOUTH);
+		window.setContentPane(all);
+		window.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
+		window.addWindowListener(new WindowAdapter() {
+
+			@Override
+			public void windowClosing(final WindowEvent e) {
+				leave(true);
+			}
+		});
+		model.listen(this::refreshSoon);
+		refresh();
+		window.pack();
+		place();
+		window.setVisible(true);
+	}
+
+	/** Beside the image where there is room: right, below, left; else in the corner that is farthest. */
+	private void place() {
+		final Rectangle screen = GUI.getMaxWindowBounds(image.getWindow()),
+			beside = image.getWindow().getBounds();
+		final Dimension size = window.getSize();
+		final int lowest = screen.y + screen.height - size.height,
+			rightmost = screen.x + screen.width - size.width;
+		final int x = Math.max(screen.x, Math.min(rightmost, beside.x)),
+			y = Math.max(screen.y, Math.min(lowest, beside.y));
+		for (final Point corner : List.of(new Point(beside.x + beside.width, y),
+			new Point(x, beside.y + beside.height), new Point(beside.x - size.width, y)))
+			if (screen.contains(new Rectangle(corner, size))) {
+				window.setLocation(corner);
+				return;
+			}
+		window.setLocation(beside.x - screen.x > rightmost - beside.x ? screen.x : rightmost,
+			lowest);
+	}
+
+	private void say(final String sentence) {
+		status.setText(sentence);
+	}
+
+	private void hover(final Optional<Polyline> contour) {
+		if (!gone)
+			link.show(contour);
+	}
+
+	private void refreshSoon() {
+		if (!stale.getAndSet(true))
+			SwingUtilities.invokeLater(this::refresh);
+	}
+
+	private void refresh() {
+		stale.set(false);
+		if (gone)
+			return;
+		headline.setText(ReviewWords.headline(model));
+		frame.setText(ReviewWords.frame(model));
+		if (saving.get() == 0)
+			status.setText(model.problem()
+				.orElse(model.stage().map(s -> s + " ...").orElse(result.isChanged()
+					? "Corrections are not saved yet."
+					: " ")));
+		link.show(Optional.empty());
+		model.track().ifPresent(t -> showPictures(model.tracks().orElseThrow(), t));
+		strip.repaint();
+	}
+
+	private void showPictures(final Tracks tracks, final FilamentTrack track) {
+		final int edge = 6 * headline.getFontMetrics(headline.getFont()).getHeight();
+		final Observation shown = track.frames().get(model.frame() - 1);
+		final List<Thumbnails.Item> courses = new ArrayList<>(), near = new ArrayList<>();
+		courses.add(new Thumbnails.Item("alternative 1", "1: as shown", pictures.small(tracks, track,
+			shown.frame(), shown.contour(), edge), true, Optional.empty(), model::accept));
+		final List<Alternative> others = shown.alternatives();
+		for (int i = 0; i < Math.min(ReviewActions.MOST_ALTERNATIVES, others.size()); i++) {
+			final int index = i;
+			final Optional<Polyline> contour = Optional.of(others.get(i).contour());
+			courses.add(new Thumbnails.Item("alternative " + (i + 2),
+				String.format(Locale.ROOT, "%d: %+.1f", i + 2,
+					others.get(i).cost() - shown.cost()),
+				pictures.small(tracks, track, shown.frame(), contour, edge), false, contour,
+				() -> model.take(index)));
+		}
+		for (int f = model.frame() - NEIGHBOURS; f <= model.frame() + NEIGHBOURS; f++)
+			if (f >= 1 && f <= model.movie().size()) {
+				final int other = f;
+				near.add(new Thumbnails.Item("frame " + f, Integer.toString(f),
+					pictures.small(tracks, track, f, track.frames().get(f - 1).contour(), edge),
+					f == model.frame(), Optional.empty(), () -> model.goTo(other)));
+			}
+		alternatives.show(courses);
+		neighbours.show(near);
+		if (window.isVisible()) {
+			final Dimension wanted = window.getPreferredSize();
+			if (wanted.height > window.getHeight() || wanted.width > window.getWidth())
+				window.setSize(Math.max(wanted.width, window.getWidth()),
+					Math.max(wanted.height, window.getHeight()));
+		}
+	}
+
+	private void save() {
+		if (saving.getAndIncrement() > 0) {
+			saving.decrementAndGet();
+			return;
+		}
+		SavedResult.inBackground(result, this::say, () -> saving.set(0));
+	}
+
+	/** Closes; asks first whether to save what was said, if a person can still choose. */
+	private void leave(final boolean canStay) {
+		if (gone)
+			return;
+		if (result.isChanged()) {
+			final int answer = JOptionPane.showConfirmDialog(window,
+				"Save the corrections of " + result.folder().getFileName() + "?", "Review",
+				canStay ? JOptionPane.YES_NO_CANCEL_OPTION : JOptionPane.YES_NO_OPTION);
+			if (canStay && answer != JOptionPane.YES_OPTION && answer != JOptionPane.NO_OPTION)
+				return;
+			if (answer == JOptionPane.YES_OPTION) {
+				SavedResult.inBackground(result, this::say, () -> {
+					if (!result.isChanged())
+						end();
+				});
+				return;
+			}
+		}
+		end();
+	}
+
+	private void end() {
+		if (gone)
+			return;
+		gone = true;
+		OPEN.remove(image);
+		link.close();
+		result.close();
+		window.dispose();
+		closed.run();
+	}
+}

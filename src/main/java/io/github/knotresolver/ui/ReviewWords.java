@@ -1,0 +1,52 @@
+package io.github.knotresolver.ui;
+
+import java.util.List;
+import java.util.Locale;
+
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.ui.model.ReviewModel;
+
+/** What a review says in words. */
+final class ReviewWords {
+
+	private ReviewWords() {
+	}
+
+	/** The filament in one line. */
+	static String headline(final ReviewModel model) {
+		if (model.track().isEmpty())
+			return model.movie().name() + ": " + model.movie().size() + " frames";
+		final FilamentTrack track = model.track().get();
+		final double pixel = model.movie().calibration().pixelSize();
+		final String length = Double.isNaN(track.length())
+			? ""
+			: String.format(Locale.ROOT, "   %.2f%s %s", track.length() * pixel,
+				Double.isNaN(track.lengthError())
+					? ""
+					: String.format(Locale.ROOT, " ± %.2f", track.lengthError() * pixel),
+				model.movie().calibration().unit());
+		return "filament " + track.id() + " of " + model.tracks().orElseThrow().filaments().size()
+			+ length + "   " + track.anchor().label() + "   " + track.resolved() + " resolved, "
+			+ model.doubtful().size() + " doubtful, " + without(track.frames())
+			+ " without a contour";
+	}
+
+	private static long without(final List<Observation> frames) {
+		return frames.stream().filter(
+			o -> o.status() == FrameStatus.LOST || o.status() == FrameStatus.UNRESOLVED).count();
+	}
+
+	/** The frame in one line. */
+	static String frame(final ReviewModel model) {
+		return model.shown().map(o -> {
+			final String sure = Double.isNaN(o.confidence())
+				? ""
+				: String.format(Locale.ROOT, "   confidence %.2f", o.confidence());
+			return "frame " + o.frame() + "   " + o.status().label() + sure
+				+ (model.isChecked(o.frame()) ? "   checked" : "")
+				+ (o.reason().isEmpty() ? "" : "   because: " + o.reason());
+		}).orElse("frame " + model.frame());
+	}
+}

@@ -1,0 +1,83 @@
+package io.github.knotresolver.ui;
+
+import java.awt.EventQueue;
+import java.awt.GraphicsEnvironment;
+import java.io.IOException;
+import java.lang.reflect.InvocationTargetException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+import ij.ImagePlus;
+import ij.WindowManager;
+import io.github.knotresolver.imagej.ImageFile;
+import io.github.knotresolver.imagej.ImageView;
+import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.progress.CancelledException;
+import io.github.knotresolver.progress.Progress;
+
+/** The way from a result folder to its window, for all front doors. */
+public final class Reviews {
+
+	private Reviews() {
+	}
+
+	/**
+	 * Opens a result folder for review, its movie in the image that is open already, or in a new one.
+	 *
+	 * @param folder a folder that {@code resolve} wrote
+	 * @param here whether to begin at the frame that the image shows, else at the first
+	 * @param progress may cancel
+	 * @param closed called when the window has been closed
+	 * @throws UserException if it cannot be reviewed, in one sentence
+	 * @throws IOException if its files cannot be read
+	 */
+	public static void open(final Path folder, final boolean here,
+		final Progress progress, final Runnable closed) throws IOException {
+		if (GraphicsEnvironment.isHeadless())
+			throw new UserException("A review needs a display; without one, give Resolve Filament... a file of corrections.");
+		progress.report("Opening the result", 0);
+		final ReviewedResult result = ReviewedResult.open(folder, progress);
+		try {
+			final ImagePlus image = image(result, progress);
+			if (here)
+				result.model().goTo(ImageLink.frame(image));
+			if (ReviewWindow.toFront(image))
+				throw new UserException("The movie of result " + folder
+					+ " is being reviewed already; its window is in front now.");
+			onEvents(() -> ReviewWindow.open(result, image, closed));
+		} catch (final RuntimeException | Error e) {
+			result.close();
+			throw e;
+		}
+	}
+
+	private static ImagePlus image(final ReviewedResult result, final Progress progress) {
+		final int[] ids = WindowManager.getIDList();
+		final Optional<ImagePlus> present = ids == null
+			? Optional.empty()
+			: IntStream.of(ids).mapToObj(WindowManager::getImage)
+				.filter(i -> i != null && i.getWindow() != null && i.getCanvas() != null)
+				.filter(i -> ImageFile.of(i).filter(result.file()::equals).isPresent())
+				.findFirst();
+		if (present.isPresent())
+			return present.get();
+		final ImagePlus image = ImageFile.open(result.file(), progress);
+		ImageView.show(image);
+		return image;
+	}
+
+	private static void onEvents(final Runnable work) {
+		try {
+			if (EventQueue.isDispatchThread())
+				work.run();
+			else
+				EventQueue.invokeAndWait(work);
+		} catch (final InterruptedException e) {
+			Thread.currentThread().interrupt();
+			throw new CancelledException();
+		} catch (final InvocationTargetException e) {
+			throw new IllegalStateException(e.getCause());
+		}
+	}
+}

@@ -1,0 +1,59 @@
+package io.github.knotresolver.ui;
+
+import java.io.IOException;
+import java.util.function.Consumer;
+
+import javax.swing.SwingUtilities;
+
+import io.github.knotresolver.io.Failure;
+import io.github.knotresolver.progress.Progress;
+
+/** Writes a reviewed result while its window goes on. */
+final class SavedResult {
+
+	private SavedResult() {
+	}
+
+	/**
+	 * @param result what is written
+	 * @param say told, in the thread of events, what is done and what came of it
+	 * @param done called at the end in that thread, whatever came of it
+	 */
+	static void inBackground(final ReviewedResult result, final Consumer<String> say,
+		final Runnable done) {
+		say.accept("Saving ...");
+		final Thread thread = new Thread(() -> {
+			final String outcome = save(result,
+				stage -> SwingUtilities.invokeLater(() -> say.accept("Saving: " + stage + " ...")));
+			SwingUtilities.invokeLater(() -> {
+				done.run();
+				say.accept(outcome);
+			});
+		}, "KnotResolver save");
+		thread.start();
+	}
+
+	private static String save(final ReviewedResult result, final Consumer<String> stages) {
+		try {
+			result.save(new Progress() {
+
+				@Override
+				public void report(final String stage, final double fraction) {
+					if (fraction == 0)
+						stages.accept(stage);
+				}
+
+				@Override
+				public boolean isCancelled() {
+					return false;
+				}
+			});
+			return "Saved in " + result.folder() + ".";
+		} catch (final InterruptedException e) {
+			Thread.currentThread().interrupt();
+			return "Nothing was saved.";
+		} catch (final IOException | RuntimeException | Error e) {
+			return Failure.of(e, "give Java more memory").sentence();
+		}
+	}
+}

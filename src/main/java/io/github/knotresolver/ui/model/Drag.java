@@ -1,0 +1,64 @@
+package io.github.knotresolver.ui.model;
+
+import java.util.Optional;
+
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+
+/**
+ * A contour that is held at one place and drawn elsewhere: what is near along the contour follows,
+ * what is far stays.
+ *
+ * @param contour the contour, fixed end first, in pixels
+ * @param held arc length of the place that is held, in pixels
+ */
+public record Drag(Polyline contour, double held) {
+
+	/** Spacing of the points that are drawn, in pixels. */
+	private static final double STEP = 1.5;
+
+	/** This part of the contour to either side follows. */
+	private static final double FOLLOWING = 0.2;
+
+	/**
+	 * @param contour a contour in pixels
+	 * @param place where the mouse was pressed
+	 * @param reach how far from the contour it may be, in pixels
+	 * @return the contour, held there, at its tip if that is in reach; empty if nothing is
+	 */
+	public static Optional<Drag> at(final Polyline contour, final Point place, final double reach) {
+		if (contour.last().distanceTo(place) <= reach)
+			return Optional.of(new Drag(contour, contour.length()));
+		final Polyline line = contour.resampled(STEP / 2);
+		int nearest = 0;
+		for (int i = 1; i < line.size(); i++)
+			if (line.point(i).distanceTo(place) < line.point(nearest).distanceTo(place))
+				nearest = i;
+		return line.point(nearest).distanceTo(place) <= reach
+			? Optional.of(new Drag(contour, line.arc(nearest) / line.length() * contour.length()))
+			: Optional.empty();
+	}
+
+	/** @return whether the tip is held */
+	public boolean isOfTip() {
+		return held >= contour.length();
+	}
+
+	/**
+	 * @param place where the mouse is
+	 * @return the contour as it is drawn meanwhile
+	 */
+	public Polyline to(final Point place) {
+		final Point from = contour.at(held);
+		final Polyline line = contour.resampled(STEP);
+		final double[] x = line.xs(), y = line.ys();
+		for (int i = 0; i < x.length; i++) {
+			final double away = Math.abs(contour.length() * i / (x.length - 1) - held)
+				/ (FOLLOWING * contour.length());
+			final double share = away < 1 ? Math.pow(Math.cos(away * Math.PI / 2), 2) : 0;
+			x[i] += share * (place.x() - from.x());
+			y[i] += share * (place.y() - from.y());
+		}
+		return Polyline.of(x, y);
+	}
+}

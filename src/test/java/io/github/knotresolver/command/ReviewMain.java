@@ -1,0 +1,275 @@
+package io.github.knotresolver.command;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Dialog;
+import java.awt.Frame;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Robot;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.WindowEvent;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+import javax.imageio.ImageIO;
+import javax.swing.JButton;
+import javax.swing.JFrame;
+import javax.swing.JLabel;
+import javax.swing.JTextArea;
+import javax.swing.SwingUtilities;
+
+import ij.IJ;
+import ij.ImageJ;
+import ij.ImagePlus;
+import ij.WindowManager;
+import ij.gui.ImageCanvas;
+import ij.plugin.frame.Recorder;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.io.ContourInput;
+
+/**
+ * A review in plain ImageJ on a display, with mouse and keys. Arguments: a result folder with a
+ * correction that leaves frame 7 unresolved, and a folder for what is made here. Prints what was
+ * reached, line by line, for {@link ReviewWindowTest}.
+ */
+final class ReviewMain {
+
+	static final List<String> STEPS = List.of("opened", "click", "doubtful", "withdrawn", "chosen",
+		"undone", "dragged", "tip", "saved", "replayed", "closed", "image closed");
+
+	/** The frame that the correction spoils. */
+	static final int SPOILED = 7;
+
+	private static final String REVIEW = "Review Result...";
+
+	private final Path result, home;
+	private final Robot robot;
+	private JFrame window;
+	private ImagePlus image;
+
+	private ReviewMain(final Path result, final Path home) throws Exception {
+		this.result = result;
+		this.home = home;
+		robot = new Robot();
+		robot.setAutoDelay(20);
+	}
+
+	public static void main(final String[] args) throws Exception {
+		new ImageJ();
+		IJ.run("Record...");
+		try {
+			new ReviewMain(Path.of(args[0]), Path.of(args[1])).play();
+		} catch (final Exception | AssertionError e) {
+			e.printStackTrace(System.out);
+		}
+		System.exit(0);
+	}
+
+	private void play() throws Exception {
+		open();
+		final int listeners = image.getCanvas().getMouseListeners().length;
+		reached("opened");
+		picture("review-small.png");
+		click(find("confidence"), 0.52);
+		Windows.await("frame", () -> text().startsWith("frame 13 "));
+		require(image.getCurrentSlice() == 13, "slice " + image.getCurrentSlice());
+		IJ.run(image, "Next Slice [>]", "");
+		Windows.await("frame of the slider", () -> text().startsWith("frame 14 "));
+		reached("click");
+		mend();
+		handle();
+		save();
+		close();
+		require(image.getOverlay() == null, "The overlay stays.");
+		require(image.getCanvas().getMouseListeners().length == listeners, "listeners");
+		require(Arrays.asList(image.getCanvas().getMouseListeners()).contains(image.getCanvas()),
+			"ImageJ does not hear the mouse any more.");
+		reached("closed");
+		open();
+		image.close();
+		Windows.await("end", () -> !window.isShowing());
+		reached("image closed");
+	}
+
+	private void open() throws Exception {
+		Windows.start(REVIEW);
+		final Dialog dialog = Windows.dialog(REVIEW, "Result");
+		Windows.type(dialog, "Result", result.toString());
+		Windows.press(dialog, "OK");
+		final String title = "Review " + result.getFileName();
+		Windows.await("window", () -> Arrays.stream(Frame.getFrames())
+			.anyMatch(f -> f.isShowing() && f.getTitle().equals(title)));
+		window = (JFrame) Arrays.stream(Frame.getFrames())
+			.filter(f -> f.isShowing() && f.getTitle().equals(title)).findFirst().orElseThrow();
+		Windows.await("result",
+			() -> label("headline").contains("resolved") && label("status").isBlank());
+		image = WindowManager.getCurrentImage();
+		Windows.await("contour", () -> image.getOverlay() != null && image.getOverlay().size() > 0);
+	}
+
+	/** The doubtful frame comes with one key, and is right after one more. */
+	private void mend() throws Exception {
+		key(KeyEvent.VK_N);
+		Windows.await("doubtful", () -> text().startsWith("frame " + SPOILED + " "));
+		require(text().contains("unresolved") && text().contains("draw the whole contour"), text());
+		require(image.getOverlay() == null || image.getOverlay().size() == 0,
+			"A contour is shown.");
+		reached("doubtful");
+		key(KeyEvent.VK_W);
+		Windows.await("resolved", () -> text().contains("  resolved"));
+		rest();
+		reached("withdrawn");
+		window.setSize(window.getWidth() * 3 / 2, window.getHeight() * 5 / 4);
+		rest();
+		while (find("alternative 2") == null)
+			key(KeyEvent.VK_RIGHT);
+		final String before = text();
+		key(KeyEvent.VK_2);
+		Windows.await("chosen", () -> text().contains("corrected"));
+		rest();
+		picture("review-large.png");
+		reached("chosen");
+		press("Undo");
+		Windows.await("undone", () -> text().equals(before));
+		rest();
+		reached("undone");
+	}
+
+	/** The contour and its end are drawn elsewhere by the mouse, by a pixel or two. */
+	private void handle() throws Exception {
+		final Polyline contour = ContourInput.read(result).contours().get(frame() - 1)
+			.orElseThrow();
+		drag(contour.at(contour.length() / 2), 2);
+		Windows.await("dragged", () -> text().contains("corrected"));
+		rest();
+		require(text().contains("As the user said"), text());
+		require(image.getRoi() == null, "ImageJ made a selection of the drag.");
+		reached("dragged");
+		key(KeyEvent.VK_RIGHT);
+		drag(ContourInput.read(result).contours().get(frame() - 1).orElseThrow().last(), 2);
+		Windows.await("tip", () -> text().contains("corrected"));
+		rest();
+		reached("tip");
+	}
+
+	private int frame() {
+		return image.getCurrentSlice();
+	}
+
+	private void save() throws Exception {
+		key(KeyEvent.VK_S);
+		Windows.await("saved", () -> label("status").startsWith("Saved in"));
+		final String said = Files.readString(result.resolve("corrections.csv"));
+		require(said.contains(",through,0,") && said.contains(",tip,0,"), said);
+		reached("saved");
+		final String start = "run(\"Resolve Filament...\", \"movie=";
+		Windows.await("line", () -> Recorder.getInstance().getText().contains(start));
+		final String line = Recorder.getInstance().getText().lines()
+			.filter(l -> l.startsWith(start)).findFirst().orElseThrow();
+		Files.writeString(home.resolve("recorded.ijm"), line);
+		reached("replayed");
+	}
+
+	private void close() throws Exception {
+		window.dispatchEvent(new WindowEvent(window, WindowEvent.WINDOW_CLOSING));
+		Windows.await("end", () -> !window.isShowing());
+	}
+
+	private void rest() throws Exception {
+		Windows.await("rest", () -> !label("status").endsWith("..."));
+		robot.waitForIdle();
+	}
+
+	private void key(final int code) {
+		SwingUtilities.invokeLater(() -> {
+			window.toFront();
+			window.requestFocus();
+		});
+		robot.waitForIdle();
+		robot.keyPress(code);
+		robot.keyRelease(code);
+		robot.waitForIdle();
+	}
+
+	private void click(final Component component, final double along) {
+		final Point at = component.getLocationOnScreen();
+		robot.mouseMove(at.x + (int) (along * component.getWidth()),
+			at.y + component.getHeight() / 2);
+		click();
+	}
+
+	private void click() {
+		robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+		robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+		robot.waitForIdle();
+	}
+
+	private void press(final String words) {
+		final Component button = Windows.all(window.getContentPane(), JButton.class).stream()
+			.filter(b -> words.equals(b.getName())).findFirst().orElseThrow();
+		click(button, 0.5);
+	}
+
+	private void drag(final io.github.knotresolver.geometry.Point from, final int pixels) {
+		final ImageCanvas canvas = image.getCanvas();
+		SwingUtilities.invokeLater(() -> image.getWindow().toFront());
+		robot.waitForIdle();
+		final Point corner = canvas.getLocationOnScreen();
+		final int x = corner.x + canvas.screenXD(from.x() + 0.5),
+			y = corner.y + canvas.screenYD(from.y() + 0.5);
+		final int far = (int) Math.max(5, pixels * canvas.getMagnification());
+		robot.mouseMove(x, y);
+		robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+		robot.mouseMove(x + far / 2, y);
+		robot.mouseMove(x + far, y);
+		robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+		robot.waitForIdle();
+	}
+
+	private Component find(final String name) {
+		return named(window.getContentPane(), name).orElse(null);
+	}
+
+	private static Optional<Component> named(final Container container,
+		final String name) {
+		for (final Component c : container.getComponents()) {
+			if (name.equals(c.getName()))
+				return Optional.of(c);
+			if (c instanceof Container inner) {
+				final Optional<Component> found = named(inner, name);
+				if (found.isPresent())
+					return found;
+			}
+		}
+		return Optional.empty();
+	}
+
+	private String label(final String name) {
+		return ((JLabel) named(window.getContentPane(), name).orElseThrow()).getText();
+	}
+
+	private String text() {
+		return ((JTextArea) named(window.getContentPane(), "frame").orElseThrow()).getText();
+	}
+
+	/** What is on the screen. */
+	private void picture(final String name) throws Exception {
+		robot.waitForIdle();
+		ImageIO.write(robot.createScreenCapture(new Rectangle(1440, 1000)), "png",
+			home.resolve(name).toFile());
+	}
+
+	private static void reached(final String step) {
+		System.out.println("reached: " + step);
+	}
+
+	private static void require(final boolean condition, final String otherwise) {
+		if (!condition)
+			throw new AssertionError(otherwise);
+	}
+}
