@@ -29,6 +29,7 @@
  * <li>{@code io}: results become files, and back</li>
  * <li>{@code run}: the use case, from a source to a sink</li>
  * <li>{@code imagej}: the ImageJ edge</li>
+ * <li>{@code ui}: windows, thin, and their models, which know no window</li>
  * <li>{@code command}, {@code cli}: SciJava Commands and the command line</li>
  * </ol>
  */

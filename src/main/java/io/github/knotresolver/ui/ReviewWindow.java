@@ -222,12 +222,22 @@ public final class ReviewWindow {
 			}
 		alternatives.show(courses);
 		neighbours.show(near);
-		if (window.isVisible()) {
-			final Dimension wanted = window.getPreferredSize();
-			if (wanted.height > window.getHeight() || wanted.width > window.getWidth())
-				window.setSize(Math.max(wanted.width, window.getWidth()),
-					Math.max(wanted.height, window.getHeight()));
-		}
+		grow();
+	}
+
+	/** As large as its contents need, and within the screen. */
+	private void grow() {
+		final Dimension wanted = window.getPreferredSize();
+		if (!window.isVisible()
+			|| wanted.height <= window.getHeight() && wanted.width <= window.getWidth())
+			return;
+		final Rectangle screen = GUI.getMaxWindowBounds(window);
+		final int width = Math.max(wanted.width, window.getWidth()),
+			height = Math.max(wanted.height, window.getHeight());
+		window.setBounds(
+			Math.max(screen.x, Math.min(window.getX(), screen.x + screen.width - width)),
+			Math.max(screen.y, Math.min(window.getY(), screen.y + screen.height - height)), width,
+			height);
 	}
 
 	private void save() {

@@ -124,7 +124,8 @@ final class ReviewMain {
 		Windows.await("resolved", () -> text().contains("  resolved"));
 		rest();
 		reached("withdrawn");
-		window.setSize(window.getWidth() * 3 / 2, window.getHeight() * 5 / 4);
+		window.setBounds(0, 1000 - window.getHeight() * 5 / 4, window.getWidth() * 3 / 2,
+			window.getHeight() * 5 / 4);
 		rest();
 		while (find("alternative 2") == null)
 			key(KeyEvent.VK_RIGHT);
