@@ -40,7 +40,7 @@ final class ReviewSubcommand implements Callable<Integer> {
 			if (GraphicsEnvironment.isHeadless())
 				throw new UserException(
 					"review needs a display; without one, give --corrections FILE to 'resolve'.");
-			new ImageJ(ImageJ.EMBEDDED);
+			new ImageJ();
 			Reviews.open(result, false, progress, closed::countDown);
 			return null;
 		});
