@@ -56,6 +56,7 @@ public final class ReviewWindow {
 	private final ReviewPictures pictures;
 	private final ImageLink link;
 	private final JFrame window;
+	private final ImageKeys keys;
 	private final JLabel headline = new JLabel(" "), status = new JLabel(" ");
 	private final JTextArea frame = new JTextArea(2, 40);
 	private final ConfidenceStrip strip;
@@ -76,6 +77,7 @@ public final class ReviewWindow {
 		strip = new ConfidenceStrip(model);
 		link = new ImageLink(image, result.channel(), model, () -> leave(false));
 		window = new JFrame("Review " + result.folder().getFileName());
+		keys = new ImageKeys(image, window.getRootPane());
 	}
 
 	/**
@@ -274,6 +276,7 @@ public final class ReviewWindow {
 			return;
 		gone = true;
 		OPEN.remove(image);
+		keys.close();
 		link.close();
 		result.close();
 		window.dispose();

@@ -40,7 +40,7 @@ import io.github.knotresolver.io.ContourInput;
 final class ReviewMain {
 
 	static final List<String> STEPS = List.of("opened", "click", "doubtful", "withdrawn", "chosen",
-		"undone", "dragged", "tip", "saved", "replayed", "closed", "image closed");
+		"undone", "dragged", "tip", "saved", "recorded", "closed", "image closed");
 
 	/** The frame that the correction spoils. */
 	static final int SPOILED = 7;
@@ -151,7 +151,10 @@ final class ReviewMain {
 		require(text().contains("As the user said"), text());
 		require(image.getRoi() == null, "ImageJ made a selection of the drag.");
 		reached("dragged");
-		key(KeyEvent.VK_RIGHT);
+		// The mouse was in the image, and so are the keys.
+		final int dragged = frame();
+		key(image.getWindow(), image.getCanvas(), KeyEvent.VK_RIGHT);
+		Windows.await("next", () -> text().startsWith("frame " + (dragged + 1) + " "));
 		drag(ContourInput.read(result).contours().get(frame() - 1).orElseThrow().last(), 2);
 		Windows.await("tip", () -> text().contains("corrected"));
 		rest();
@@ -173,7 +176,7 @@ final class ReviewMain {
 		final String line = Recorder.getInstance().getText().lines()
 			.filter(l -> l.startsWith(start)).findFirst().orElseThrow();
 		Files.writeString(home.resolve("recorded.ijm"), line);
-		reached("replayed");
+		reached("recorded");
 	}
 
 	private void close() throws Exception {
@@ -187,9 +190,13 @@ final class ReviewMain {
 	}
 
 	private void key(final int code) {
+		key(window, window, code);
+	}
+
+	private void key(final Frame frame, final Component inside, final int code) {
 		SwingUtilities.invokeLater(() -> {
-			window.toFront();
-			window.requestFocus();
+			frame.toFront();
+			inside.requestFocus();
 		});
 		robot.waitForIdle();
 		robot.keyPress(code);
