@@ -94,29 +94,32 @@ public final class BenchmarkMain {
 		}
 	}
 
-	private static void writeContours(final Path file, final Tracks tracks)
-		throws IOException {
+	private static void writeContours(final Path file, final Tracks tracks) throws IOException {
 		try (PrintStream csv = writer(file)) {
 			csv.println("filament,frame,index,x_px,y_px");
-			for (final Observation frame : tracks.only().frames())
-				if (frame.contour().isPresent()) {
-					final Polyline c = frame.contour().get();
-					for (int i = 0; i < c.size(); i++)
-						csv.printf(Locale.ROOT, "1,%d,%d,%.4f,%.4f%n", frame.frame(), i, c.x(i),
-							c.y(i));
-				}
+			for (final FilamentTrack track : tracks.filaments())
+				for (final Observation frame : track.frames())
+					frame.contour().ifPresent(c -> writePoints(csv, track.id(), frame.frame(), c));
 		}
 	}
 
-	private static void writeFrames(final Path file, final Tracks tracks)
-		throws IOException {
+	private static void writePoints(final PrintStream csv, final int filament, final int frame,
+		final Polyline contour) {
+		for (int i = 0; i < contour.size(); i++)
+			csv.printf(Locale.ROOT, "%d,%d,%d,%.4f,%.4f%n", filament, frame, i, contour.x(i),
+				contour.y(i));
+	}
+
+	private static void writeFrames(final Path file, final Tracks tracks) throws IOException {
 		try (PrintStream csv = writer(file)) {
 			csv.println("filament,frame,status,confidence");
-			for (final Observation frame : tracks.only().frames())
-				csv.printf(Locale.ROOT, "1,%d,%s,%s%n", frame.frame(), frame.status().label(),
-					Double.isFinite(frame.confidence())
-						? String.format(Locale.ROOT, "%.6f", frame.confidence())
-						: "");
+			for (final FilamentTrack track : tracks.filaments())
+				for (final Observation frame : track.frames())
+					csv.printf(Locale.ROOT, "%d,%d,%s,%s%n", track.id(), frame.frame(),
+						frame.status().label(),
+						Double.isFinite(frame.confidence())
+							? String.format(Locale.ROOT, "%.6f", frame.confidence())
+							: "");
 		}
 	}
 
