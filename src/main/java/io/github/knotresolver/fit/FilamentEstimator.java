@@ -100,7 +100,7 @@ public final class FilamentEstimator {
 		List<Example> examples = seen;
 		Estimate line = line(examples, kind, FIRST_SIGMA, progress);
 		for (int round = 0; round < ROUNDS && line.isVisible(); round++) {
-			examples = refit(examples, line, workers, progress);
+			examples = refit(examples, line, round == 0, workers, progress);
 			line = line(examples, kind, line.model().sigma(), progress);
 		}
 		for (int round = 0; round < BRIGHTNESS_ROUNDS && line.isVisible(); round++) {
@@ -108,7 +108,7 @@ public final class FilamentEstimator {
 			if (brightness.length == 1)
 				break;
 			line = line.withModel(line.model().withBrightness(brightness));
-			examples = refit(examples, line, workers, progress);
+			examples = refit(examples, line, false, workers, progress);
 		}
 		return new Learned(examples, line);
 	}
@@ -119,16 +119,27 @@ public final class FilamentEstimator {
 			kind, sigma, progress);
 	}
 
+	/** Fits the examples again; those that come from skeletons first as stiff filaments. */
 	private static List<Example> refit(final List<Example> examples, final Estimate line,
-		final Workers workers, final Progress progress) {
+		final boolean fromSkeletons, final Workers workers, final Progress progress) {
 		return workers.map(examples.size(), i -> {
 			progress.checkCancelled();
 			final Example e = examples.get(i);
 			final NormalizedFrame frame = e.frame().rescaled(line.background(), line.amplitude());
-			final FilamentFitter fitter = new FilamentFitter(frame, line.model(), e.chain().links(),
-				Optional.empty(), FitSettings.ENDS_FREE);
-			return new Example(e.frame(), fitter.fit(e.chain(), Optional.empty()).chain());
+			final Chain start = fromSkeletons
+				? endsFree(frame, line, e,
+					FitSettings.ENDS_FREE.roughAndStiff(FitSettings.START_STIFFNESS))
+						.fit(e.chain(), Optional.empty()).chain()
+				: e.chain();
+			return new Example(e.frame(), endsFree(frame, line, e, FitSettings.ENDS_FREE)
+				.fit(start, Optional.empty()).chain());
 		});
+	}
+
+	private static FilamentFitter endsFree(final NormalizedFrame frame, final Estimate line,
+		final Example example, final FitSettings settings) {
+		return new FilamentFitter(frame, line.model(), example.chain().links(), Optional.empty(),
+			settings);
 	}
 
 	private static FilamentEstimate summary(final List<Example> examples, final Estimate line) {

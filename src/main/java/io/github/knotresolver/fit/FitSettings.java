@@ -21,6 +21,12 @@ public record FitSettings(double stiffness, double clampWeight, double memory, i
 	public static final FitSettings ENDS_FREE = new FitSettings(0.9, 0, 0, 40, 1e-5, true);
 
 	/**
+	 * Price of bending of a fit that starts from a skeleton: a skeleton has kinks where
+	 * strands lie side by side and where debris sticks to a line, a filament has none.
+	 */
+	public static final double START_STIFFNESS = 20;
+
+	/**
 	 * @param price of leaving the fixed end, per square pixel
 	 * @return the same otherwise
 	 */

@@ -31,7 +31,7 @@ public record Residue(double unexplained, double invented, double pattern) {
 	private static final double OUTLIER = 0.5;
 
 	/** Noise below this (strands' brightnesses) cannot be told from errors of the model. */
-	private static final double LEAST_NOISE = 0.02;
+	private static final double LEAST_NOISE = 0.05;
 
 	/**
 	 * Looks at a chain in its frame. O(pixels).

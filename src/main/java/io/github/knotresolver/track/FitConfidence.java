@@ -24,7 +24,7 @@ record FitConfidence(double usualMisfit) {
 	private static final double VISIBLE = 2.5;
 
 	/** Below this, a contour cannot be called resolved. */
-	static final double NONE = 0.001;
+	static final double NONE = 0.0001;
 
 	/** From this on nothing needs to be said. */
 	private static final double SURE = 0.9;

@@ -49,7 +49,7 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 		final List<Fit> atHand = met(fits.get(t), said);
 		return atHand.isEmpty()
 			? met(proposals.of(sets.get(t), fitter(t),
-				fitter(t, settings.roughAndStiff(FitProposals.START_STIFFNESS)),
+				fitter(t, settings.roughAndStiff(FitSettings.START_STIFFNESS)),
 				said::isNearlyMetBy), said)
 			: atHand;
 	}

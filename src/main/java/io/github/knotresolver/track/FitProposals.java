@@ -28,11 +28,6 @@ import io.github.knotresolver.geometry.Polyline;
  */
 record FitProposals(FrameView frame, FilamentEstimate estimate, int links, boolean freeLength) {
 
-	/**
-	 * A start is first fitted as a stiff filament: where strands lie side by side a skeleton
-	 * has kinks that an easily bent filament would keep.
-	 */
-	static final double START_STIFFNESS = 20;
 
 	/** So many of the cheapest candidates are drawn ... */
 	private static final int DRAWN = 12;

@@ -45,9 +45,6 @@ public final class FitResolver {
 	/** The fixed end that is learned from the clearest frames is this near (pixels), or wrong. */
 	private static final double NEAR = 10;
 
-	/** Noise from which on frames are blurred, in strands' brightnesses, and by how much (pixels). */
-	private static final double NOISY = 0.3, BLUR = 1;
-
 	private final CandidateGenerator generator;
 	private final Set<LineModel.Kind> kinds;
 	private final LengthModel lengths;
@@ -183,15 +180,11 @@ public final class FitResolver {
 		return frames.stream().map(f -> f.scaled(bleaching.factor(f.frame() - first))).toList();
 	}
 
-	/** Where single pixels say little, a fit would follow their noise. */
 	private List<FrameView> calmed(final List<FrameView> frames, final StrandLight strands) {
 		final double[] known = Arrays.stream(strands.light()).filter(l -> l > 0).toArray();
-		final double[] noise = workers.map(frames.size(), t -> frames.get(t).light().noise())
-			.stream().mapToDouble(Double::doubleValue).toArray();
 		return known.length == 0
-			|| new Median().evaluate(noise) < NOISY * new Median().evaluate(known)
-				? frames
-				: workers.map(frames.size(), t -> frames.get(t).blurred(BLUR));
+			? frames
+			: Calming.of(frames, new Median().evaluate(known), workers);
 	}
 
 	private Optional<FilamentEstimate> estimate(final List<Sighting> sightings,
@@ -244,7 +237,7 @@ public final class FitResolver {
 		final List<NormalizedFrame> light, final FilamentCourse course,
 		final List<CandidateSet> sets) {
 		final int links = FilamentEstimator.links(course.estimate().length());
-		final FitSettings rough = settings().roughAndStiff(FitProposals.START_STIFFNESS);
+		final FitSettings rough = settings().roughAndStiff(FitSettings.START_STIFFNESS);
 		return workers.map("Fitting the proposals", progress, frames.size(), t -> {
 			final FilamentFitter fitter = fitter(t, light, course, settings());
 			final FitProposals proposer = new FitProposals(frames.get(t), course.in(t), links,

@@ -91,8 +91,10 @@ record OpenFrames(List<Seen> seen) {
 		final FilamentFitter fitter = new FilamentFitter(frame, estimate.model(), links,
 			Optional.empty(), FitSettings.ENDS_FREE);
 		final EndLight ends = new EndLight(frame, estimate.model(), frame.noise());
-		final Chain first = fitter
-			.fit(Chain.along(contour, links, contour.length()), Optional.empty()).chain();
+		final Chain first = fitter.fit(new FilamentFitter(frame, estimate.model(), links,
+			Optional.empty(), FitSettings.ENDS_FREE.roughAndStiff(FitSettings.START_STIFFNESS))
+				.fit(Chain.along(contour, links, contour.length()), Optional.empty()).chain(),
+			Optional.empty()).chain();
 		final Chain settled = ends.settled(first);
 		final Chain chain = settled == first
 			? first

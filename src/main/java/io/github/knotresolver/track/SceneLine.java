@@ -20,6 +20,7 @@ import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
 
 /**
  * What a line looks like in a movie with several filaments: learned from the frames whose
@@ -60,12 +61,14 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 	 *
 	 * @param frames the movie, at least one frame with a trail
 	 * @param kinds how strands may add up
+	 * @param workers threads
 	 * @param progress asked whether to stop
 	 */
 	static SceneLine learn(final List<FrameView> frames, final Collection<LineModel.Kind> kinds,
-		final Progress progress) {
+		final Workers workers, final Progress progress) {
 		final double strand = firstStrand(frames);
-		final List<FrameView> scaled = frames.stream().map(f -> f.scaled(strand)).toList();
+		final List<FrameView> scaled = Calming.of(frames, strand, workers).stream()
+			.map(f -> f.scaled(strand)).toList();
 		final List<Seen> seen = look(scaled);
 		final List<FrameView> open = best(seen, s -> true);
 		final List<FrameView> crossed = best(seen, s -> s.crossings > 0);

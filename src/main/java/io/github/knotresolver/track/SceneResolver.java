@@ -78,7 +78,7 @@ public final class SceneResolver {
 		if (frames.stream().allMatch(f -> f.graph().segments().isEmpty()))
 			return Optional.empty();
 		progress.report("Learning what a filament looks like", 0);
-		final SceneLine line = SceneLine.learn(frames, kinds, progress);
+		final SceneLine line = SceneLine.learn(frames, kinds, workers, progress);
 		final SceneWeights weights = SceneWeights.DEFAULT;
 		final List<SceneSeed> seeds = new SceneSeeds(line, weights).all(workers, progress);
 		final List<Priced> passes = passes(line, weights, seeds);

@@ -126,9 +126,9 @@ class BenchAgreementTest {
 	}
 
 	private static void compareRows(final List<String> theirs, final List<String> ours) {
-		assertEquals(theirs.get(0), ours.get(0));
+		assertEquals(theirs.get(0) + ",filament,result_filament", ours.get(0));
 		assertEquals(theirs.size(), ours.size());
-		final String[] header = ours.get(0).split(",");
+		final String[] header = theirs.get(0).split(",");
 		for (int row = 1; row < ours.size(); row++) {
 			final String[] a = theirs.get(row).split(","), b = ours.get(row).split(",");
 			for (int i = 0; i < header.length; i++)

@@ -1,0 +1,34 @@
+package io.github.knotresolver.track;
+
+import java.util.List;
+
+import org.apache.commons.math3.stat.descriptive.rank.Median;
+
+import io.github.knotresolver.progress.Workers;
+
+/** Blurs the frames of a movie whose noise drowns single pixels: a fit would follow the noise. */
+final class Calming {
+
+	/** Noise from which on frames are blurred, in strands' brightnesses, and by how much (pixels). */
+	private static final double NOISY = 0.3, BLUR = 1;
+
+	private Calming() {
+	}
+
+	/**
+	 * O(pixels).
+	 *
+	 * @param frames a movie, at least one frame
+	 * @param strand brightness of a strand in the frames' units, above 0
+	 * @param workers threads
+	 * @return the frames, blurred if the median noise of a pixel is too large beside a strand
+	 */
+	static List<FrameView> of(final List<FrameView> frames, final double strand,
+		final Workers workers) {
+		final double[] noise = workers.map(frames.size(), t -> frames.get(t).light().noise())
+			.stream().mapToDouble(Double::doubleValue).toArray();
+		return new Median().evaluate(noise) < NOISY * strand
+			? frames
+			: workers.map(frames.size(), t -> frames.get(t).blurred(BLUR));
+	}
+}
