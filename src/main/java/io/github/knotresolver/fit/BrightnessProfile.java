@@ -13,7 +13,8 @@ import io.github.knotresolver.fit.LineEstimator.Example;
  * How bright the filament is along its length, relative to its mean: a dim tip is still
  * the tip. The profile is piecewise linear; as the picture of a chain is linear in its
  * brightness, it follows from linear least squares over all examples, held near 1 where
- * the pictures say little.
+ * the pictures say little. If it is noticeable so, it is held straight instead of near 1: a
+ * dim tip that is taken for brighter than it is makes the fitted curve end before it.
  */
 final class BrightnessProfile {
 
@@ -25,6 +26,9 @@ final class BrightnessProfile {
 
 	/** Weight of being 1, in pixels of a strand. */
 	private static final double HOLD = 5;
+
+	/** So much of that weight stays where a profile is held straight, that all knots are known. */
+	private static final double SLIGHT = 0.02;
 
 	/** A profile that stays within this of 1 is taken to be uniform. */
 	private static final double NOTICEABLE = 0.15;
@@ -46,15 +50,38 @@ final class BrightnessProfile {
 			Math.min(MOST_KNOTS, 1 + (int) Math.rint(length / SPACING)));
 		final double[][] matrix = new double[knots][knots];
 		final double[] right = new double[knots];
-		for (int k = 0; k < knots; k++) {
-			matrix[k][k] = HOLD * examples.size();
-			right[k] = HOLD * examples.size();
-		}
+		hold(matrix, right, HOLD * examples.size());
 		for (final Example example : examples)
 			add(example, line, matrix, right);
-		final double[] profile = new CholeskyDecomposition(new Array2DRowRealMatrix(matrix, false))
-			.getSolver().solve(new ArrayRealVector(right, false)).toArray();
-		return noticeable(profile) ? profile : new double[]{1};
+		if (!noticeable(solved(matrix, right)))
+			return new double[]{1};
+		hold(matrix, right, -(1 - SLIGHT) * HOLD * examples.size());
+		holdStraight(matrix, HOLD * examples.size());
+		final double[] profile = solved(matrix, right);
+		noticeable(profile);
+		return profile;
+	}
+
+	/** Draws all knots towards 1. */
+	private static void hold(final double[][] matrix, final double[] right, final double weight) {
+		for (int k = 0; k < right.length; k++) {
+			matrix[k][k] += weight;
+			right[k] += weight;
+		}
+	}
+
+	/** Draws every knot towards the middle of its neighbours. */
+	private static void holdStraight(final double[][] matrix, final double weight) {
+		final double[] bend = {-0.5, 1, -0.5};
+		for (int k = 1; k + 1 < matrix.length; k++)
+			for (int i = 0; i < bend.length; i++)
+				for (int j = 0; j < bend.length; j++)
+					matrix[k - 1 + i][k - 1 + j] += weight * bend[i] * bend[j];
+	}
+
+	private static double[] solved(final double[][] matrix, final double[] right) {
+		return new CholeskyDecomposition(new Array2DRowRealMatrix(matrix, true)).getSolver()
+			.solve(new ArrayRealVector(right, true)).toArray();
 	}
 
 	private static void add(final Example example, final Estimate line, final double[][] matrix,

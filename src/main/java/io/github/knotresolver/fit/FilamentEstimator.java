@@ -26,8 +26,12 @@ public final class FilamentEstimator {
 
 	private static final int ROUNDS = 3;
 
-	/** Rounds for a filament that is not equally bright everywhere. */
-	private static final int BRIGHTNESS_ROUNDS = 3;
+	/**
+	 * Rounds for a filament that is not equally bright everywhere: at least so many, and at most,
+	 * until the length changes by less than a part.
+	 */
+	private static final int FEWEST_BRIGHTNESS_ROUNDS = 3, MOST_BRIGHTNESS_ROUNDS = 12;
+	private static final double SETTLED = 1e-3;
 
 	/** So many frames are enough to learn the line. */
 	private static final int LINE_EXAMPLES = 5;
@@ -103,14 +107,22 @@ public final class FilamentEstimator {
 			examples = refit(examples, line, round == 0, workers, progress);
 			line = line(examples, kind, line.model().sigma(), progress);
 		}
-		for (int round = 0; round < BRIGHTNESS_ROUNDS && line.isVisible(); round++) {
+		for (int round = 0; round < MOST_BRIGHTNESS_ROUNDS && line.isVisible(); round++) {
 			final double[] brightness = BrightnessProfile.estimate(examples, line);
 			if (brightness.length == 1)
 				break;
 			line = line.withModel(line.model().withBrightness(brightness));
+			final double before = usualLength(examples);
 			examples = refit(examples, line, false, workers, progress);
+			if (round + 1 >= FEWEST_BRIGHTNESS_ROUNDS
+				&& Math.abs(usualLength(examples) / before - 1) < SETTLED)
+				break;
 		}
 		return new Learned(examples, line);
+	}
+
+	private static double usualLength(final List<Example> examples) {
+		return median(examples.stream().mapToDouble(e -> e.chain().length()).toArray());
 	}
 
 	private static Estimate line(final List<Example> examples, final LineModel.Kind kind,

@@ -47,6 +47,17 @@ class FilamentEstimatorTest {
 		assertEquals(LENGTH, estimate.length(), 0.02 * LENGTH);
 	}
 
+	@Test
+	void aFilamentThatFadesTowardsItsTipIsNotCutShort() {
+		final double[] fading = {1, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2};
+		final FilamentEstimate estimate = estimate(
+			new LineModel(LineModel.Kind.ADDITIVE, 1.7, 1, fading));
+		final double[] brightness = estimate.model().brightness();
+		assertTrue(brightness[brightness.length - 1] < 0.5,
+			"the tip looks " + brightness[brightness.length - 1]);
+		assertEquals(LENGTH, estimate.length(), 0.01 * LENGTH);
+	}
+
 	/** From contours as skeletons give them: short at both ends, and jagged. */
 	private static FilamentEstimate estimate(final LineModel model) {
 		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(12, LENGTH, 0.7), List.of(),
