@@ -2,8 +2,8 @@
 package io.github.knotresolver;
 
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -24,9 +24,10 @@ class ArchitectureTest {
 	private static final String ROOT = "io.github.knotresolver.";
 
 	/** The rooms, in the order in which data walks through them. */
-	private static final List<String> ROOMS = List.of("geometry", "progress", "model", "image", "mask",
-		"skeleton", "graph", "candidate", "contour", "fit", "track", "paper", "session",
-		"measure", "simulate", "evaluate", "options", "io", "run", "imagej", "ui", "command", "cli");
+	private static final List<String> ROOMS = List.of("geometry", "progress", "model", "image",
+		"mask", "skeleton", "graph", "candidate", "contour", "fit", "track", "paper", "session",
+		"measure", "simulate", "evaluate", "options", "io", "run", "imagej", "ui", "command",
+		"cli");
 
 	private static final int LARGEST = 250;
 

@@ -58,8 +58,7 @@ class DocumentationTest {
 	@Test
 	void noRowOfTheTablesNamesAnOptionThatIsNotThere() throws IOException {
 		final String text = Files.readString(DOCS.resolve("parameters.md"));
-		final Set<String> known = new TreeSet<>(
-			Set.of("--out", "--force", "--plots", "--sample"));
+		final Set<String> known = new TreeSet<>(Set.of("--out", "--force", "--plots", "--sample"));
 		ResolveOptions.ALL.forEach(option -> known.add(option.name()));
 		assertEquals(List.of(), Pattern.compile("(?m)^\\| `(--[a-z-]+)").matcher(text).results()
 			.map(m -> m.group(1)).filter(name -> !known.contains(name)).toList());

@@ -98,8 +98,7 @@ public final class SceneTrails {
 				if (out.from().isJunction())
 					arms.computeIfAbsent(find(out.from().id()), g -> new ArrayList<>()).add(out);
 		for (final List<Step> steps : arms.values()) {
-			final int[] partner = ArmPairing
-				.pair(steps.stream().map(SceneTrails::arm).toList());
+			final int[] partner = ArmPairing.pair(steps.stream().map(SceneTrails::arm).toList());
 			for (int i = 0; i < partner.length; i++)
 				if (partner[i] < 0)
 					loose++;

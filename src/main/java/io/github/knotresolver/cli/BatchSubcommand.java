@@ -7,15 +7,15 @@ import java.util.List;
 import java.util.concurrent.Callable;
 
 import io.github.knotresolver.imagej.Batch;
-import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.io.BatchList;
-import io.github.knotresolver.io.BatchOutcome.Status;
 import io.github.knotresolver.io.BatchOutcome;
+import io.github.knotresolver.io.BatchOutcome.Status;
 import io.github.knotresolver.io.BatchSheet;
 import io.github.knotresolver.io.MovieFolder;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.Engine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -62,8 +62,7 @@ final class BatchSubcommand implements Callable<Integer> {
 			if (!sheet.unknownColumns().isEmpty())
 				stderr.println("Columns that mean nothing here: "
 					+ String.join(", ", sheet.unknownColumns()) + ".");
-			outcomes = new Batch(engine, texts, force, plots).run(sheet.rows(), out,
-				List.of(input),
+			outcomes = new Batch(engine, texts, force, plots).run(sheet.rows(), out, List.of(input),
 				o -> (o.status() == Status.FAILED ? stderr : stdout).println(o.line()), progress);
 		} catch (final UserException e) {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);

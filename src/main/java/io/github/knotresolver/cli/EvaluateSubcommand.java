@@ -7,7 +7,6 @@ import java.util.concurrent.Callable;
 
 import io.github.knotresolver.evaluate.like.LikeResult;
 import io.github.knotresolver.evaluate.like.LikeStudy;
-import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.imagej.LikeFolder;
 import io.github.knotresolver.imagej.LikeRun;
 import io.github.knotresolver.imagej.ScoreFiles;
@@ -18,6 +17,7 @@ import io.github.knotresolver.io.Scores;
 import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.Engine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -92,8 +92,7 @@ final class EvaluateSubcommand implements Callable<Integer> {
 	}
 
 	private ParameterException refusal(final String sentence) {
-		return new ParameterException(spec.commandLine(), sentence,
-			new UserException(sentence));
+		return new ParameterException(spec.commandLine(), sentence, new UserException(sentence));
 	}
 
 	private void againstTruth() throws IOException {
@@ -125,8 +124,8 @@ final class EvaluateSubcommand implements Callable<Integer> {
 			return;
 		}
 		final LikeResult scores;
-		try (ResultFolder folder = Usage.of(spec, () -> ResultFolder.reserve(out,
-			ResultKind.STUDY, force, LikeRun.files(like, movie)))) {
+		try (ResultFolder folder = Usage.of(spec,
+			() -> ResultFolder.reserve(out, ResultKind.STUDY, force, LikeRun.files(like, movie)))) {
 			final LikeStudy study = study();
 			scores = scores(study, count);
 			LikeFolder.write(study, scores, folder, plots, progress)
@@ -137,8 +136,7 @@ final class EvaluateSubcommand implements Callable<Integer> {
 	}
 
 	private LikeStudy study() throws IOException {
-		return Usage.of(spec,
-			() -> LikeRun.study(LikeRun.source(like, movie), engine, progress));
+		return Usage.of(spec, () -> LikeRun.study(LikeRun.source(like, movie), engine, progress));
 	}
 
 	private LikeResult scores(final LikeStudy study, final int count) {

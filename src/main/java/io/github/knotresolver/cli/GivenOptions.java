@@ -36,8 +36,8 @@ final class GivenOptions {
 		if (option.kind() != Kind.FLAG)
 			return shown.type(String.class).arity("1").paramLabel(option.values()).build();
 		final boolean on = option.byDefault().equals("on");
-		return shown.type(boolean.class).arity("0").negatable(on)
-			.defaultValue(Boolean.toString(on)).fallbackValue("true").build();
+		return shown.type(boolean.class).arity("0").negatable(on).defaultValue(Boolean.toString(on))
+			.fallbackValue("true").build();
 	}
 
 	/**

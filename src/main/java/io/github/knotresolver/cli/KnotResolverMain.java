@@ -5,7 +5,6 @@ import java.nio.charset.StandardCharsets;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.io.Failure;
 import io.github.knotresolver.io.FailureLog;
 import io.github.knotresolver.io.ProgramVersion;
@@ -13,6 +12,7 @@ import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.OptionText;
 import io.github.knotresolver.progress.Cancellation;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.Engine;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;

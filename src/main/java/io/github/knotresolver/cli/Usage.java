@@ -3,7 +3,6 @@ package io.github.knotresolver.cli;
 import java.io.IOException;
 
 import io.github.knotresolver.model.UserException;
-
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 

@@ -115,8 +115,7 @@ public final class CommandPlugIn implements PlugIn {
 			final String text = field.text();
 			if (text.isBlank())
 				continue;
-			final boolean path = field.kind() == FieldKind.FILE
-				|| field.kind() == FieldKind.FOLDER;
+			final boolean path = field.kind() == FieldKind.FILE || field.kind() == FieldKind.FOLDER;
 			// Of a key without a value, and of a path's key, the recorder looks for the bare word,
 			// which may be a part of any value.
 			Recorder.recordOption(field.key(), path ? Recorder.fixPath(text) : text);

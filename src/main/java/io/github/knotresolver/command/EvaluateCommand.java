@@ -15,7 +15,6 @@ import org.scijava.widget.FileWidget;
 import io.github.knotresolver.evaluate.FrameScore;
 import io.github.knotresolver.evaluate.like.LikeResult;
 import io.github.knotresolver.evaluate.like.LikeStudy;
-import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.imagej.LikeFolder;
 import io.github.knotresolver.imagej.LikeRun;
 import io.github.knotresolver.imagej.ScoreFiles;
@@ -28,6 +27,7 @@ import io.github.knotresolver.io.Scores;
 import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.Engine;
 
 /**
  * {@code Evaluate Against Ground Truth...}: a result against the true contours,
@@ -86,8 +86,8 @@ public class EvaluateCommand extends KnotCommand {
 				files.write(scores, progress).forEach(this::say);
 			}
 		for (int i = 1; i < scores.filaments().size() && table && isShown(); i++)
-			ScorePlots.table(scores.frames().get(i))
-				.show("evaluation-" + MeasuredFilament.number(scores.filaments().get(i).filament()));
+			ScorePlots.table(scores.frames().get(i)).show(
+				"evaluation-" + MeasuredFilament.number(scores.filaments().get(i).filament()));
 		show(scores.frames(), scores.positionErrors());
 		scores.lines().forEach(this::say);
 	}

@@ -36,13 +36,14 @@ final class MovieQuestions {
 		final boolean channels = ImageMovie.isAlongChannels(image);
 		if (known || image.getNFrames() > 1 || image.getNSlices() <= 1 && !channels)
 			return Optional.of(known);
-		final YesNoCancelDialog dialog = new YesNoCancelDialog(null, TITLE, "'" + image.getTitle()
-			+ (channels
-				? "' has " + image.getNChannels()
-					+ " channels and one frame.\nAre its channels frames?"
-				: "' is a Z-stack of " + image.getNSlices()
-					+ " slices, not a time series.\nAre its slices frames?")
-			+ " (The image stays as it is.)");
+		final YesNoCancelDialog dialog = new YesNoCancelDialog(null, TITLE,
+			"'" + image.getTitle()
+				+ (channels
+					? "' has " + image.getNChannels()
+						+ " channels and one frame.\nAre its channels frames?"
+					: "' is a Z-stack of " + image.getNSlices()
+						+ " slices, not a time series.\nAre its slices frames?")
+				+ " (The image stays as it is.)");
 		return dialog.cancelPressed() ? Optional.empty() : Optional.of(dialog.yesPressed());
 	}
 
@@ -62,12 +63,13 @@ final class MovieQuestions {
 		if (!askSize && !askTime)
 			return Optional.of(Map.of());
 		final GenericDialog dialog = new GenericDialog(TITLE);
-		dialog.addMessage(
-			"'" + image.getTitle() + "' " + (known.hasLengthUnit() && askSize
+		dialog.addMessage("'" + image.getTitle() + "' "
+			+ (known.hasLengthUnit() && askSize
 				? "says that its pixels are " + known.pixelSize() + " " + known.unit() + " large"
 					+ (askTime ? ", and " : "")
-				: "") + missing(askSize && !known.hasLengthUnit(), askTime)
-				+ ".\nLeave a field empty to get results in pixels or frames.");
+				: "")
+			+ missing(askSize && !known.hasLengthUnit(), askTime)
+			+ ".\nLeave a field empty to get results in pixels or frames.");
 		if (askSize)
 			dialog.addStringField("Pixel size (µm)", given.get("pixel_size"), 8);
 		if (askTime)

@@ -34,7 +34,6 @@ import io.github.knotresolver.io.ProgramVersion;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.io.RunReport;
-import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Region;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
@@ -225,8 +224,8 @@ public class ResolveFilamentCommand extends KnotCommand {
 		final Progress progress) throws IOException {
 		try (ResultFolder folder = ResultFolder.reserve(out.toPath(), ResultKind.RESOLUTION, force,
 			run.files(source))) {
-			return run.read(source, progress).resolve(engine,
-				new FolderSink(folder, source, plots), progress);
+			return run.read(source, progress).resolve(engine, new FolderSink(folder, source, plots),
+				progress);
 		}
 	}
 
@@ -260,8 +259,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 	}
 
 	/** An image that was hidden stays hidden; one that was opened here is shown. */
-	private void show(final ImagePlus input, final MeasuredTracks result,
-		final RoiConverter rois) {
+	private void show(final ImagePlus input, final MeasuredTracks result, final RoiConverter rois) {
 		final ResultDisplay display = new ResultDisplay(input, result.tracks(), rois);
 		if (overlay)
 			display.overlay();

@@ -26,7 +26,8 @@ public class ReviewResultCommand extends KnotCommand {
 	@Override
 	void work(final Progress progress) throws IOException {
 		if (result == null)
-			throw new UserException("result is missing; name a folder that Resolve Filament wrote.");
+			throw new UserException(
+				"result is missing; name a folder that Resolve Filament wrote.");
 		Reviews.open(result.toPath(), false, progress, () -> {
 		});
 	}

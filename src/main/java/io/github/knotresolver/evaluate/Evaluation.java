@@ -59,8 +59,8 @@ public record Evaluation(List<FrameScore> frames, int extraFrames, double[] posi
 
 	private static FrameScore score(final int frame, final Polyline truth, final Polyline contour) {
 		if (!(truth.length() > 0))
-			throw new UserException("truth has a contour without length in frame "
-				+ frame + "; give it two points or more.");
+			throw new UserException("truth has a contour without length in frame " + frame
+				+ "; give it two points or more.");
 		final int crossings = Crossings.of(truth.resampled(1)).size();
 		final boolean present = isPresent(contour);
 		return new FrameScore(frame, present, crossings,

@@ -51,8 +51,7 @@ public record SceneEvaluation(List<FilamentScore> filaments, int resultFilaments
 	 * @return the evaluation
 	 * @throws UserException if there is no truth, or a true contour has no length
 	 */
-	public static SceneEvaluation of(
-		final SortedMap<Integer, SortedMap<Integer, Polyline>> truth,
+	public static SceneEvaluation of(final SortedMap<Integer, SortedMap<Integer, Polyline>> truth,
 		final SortedMap<Integer, SortedMap<Integer, Polyline>> result,
 		final Map<Integer, Map<Integer, Double>> confidence, final Progress progress) {
 		if (truth.isEmpty())
@@ -101,8 +100,8 @@ public record SceneEvaluation(List<FilamentScore> filaments, int resultFilaments
 
 	/** @return position errors of all true filaments with what they were given, in pixels */
 	public double[] positionErrors() {
-		return filaments.stream().flatMapToDouble(f -> Arrays.stream(f.evaluation().positionErrors()))
-			.toArray();
+		return filaments.stream()
+			.flatMapToDouble(f -> Arrays.stream(f.evaluation().positionErrors())).toArray();
 	}
 
 	private static double percent(final long part, final long whole) {

@@ -151,8 +151,8 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 		for (int i = 0; i < nodes.size(); i++)
 			points.add(nodes.point(i));
 		final Point tip = nodes.last();
-		points.add(new Point(tip.x() + piece() * Math.cos(angle),
-			tip.y() + piece() * Math.sin(angle)));
+		points.add(
+			new Point(tip.x() + piece() * Math.cos(angle), tip.y() + piece() * Math.sin(angle)));
 		return Chain.along(Polyline.of(points), chain.links(), chain.length() + piece());
 	}
 

@@ -1,13 +1,5 @@
 package io.github.knotresolver.fit;
 
-import io.github.knotresolver.fit.LineEstimator.Estimate;
-import io.github.knotresolver.fit.LineEstimator.Example;
-import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.geometry.RobustStatistics;
-import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.progress.Workers;
-
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
@@ -16,6 +8,14 @@ import java.util.List;
 import java.util.Optional;
 
 import org.apache.commons.math3.stat.descriptive.rank.Median;
+
+import io.github.knotresolver.fit.LineEstimator.Estimate;
+import io.github.knotresolver.fit.LineEstimator.Example;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.geometry.RobustStatistics;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
 
 /**
  * Learns the line model, the filament's length and its fixed end from frames in
@@ -141,7 +141,7 @@ public final class FilamentEstimator {
 			final Chain start = fromSkeletons
 				? endsFree(frame, line, e,
 					FitSettings.ENDS_FREE.roughAndStiff(FitSettings.START_STIFFNESS))
-						.fit(e.chain(), Optional.empty()).chain()
+					.fit(e.chain(), Optional.empty()).chain()
 				: e.chain();
 			return new Example(e.frame(), endsFree(frame, line, e, FitSettings.ENDS_FREE)
 				.fit(start, Optional.empty()).chain());
@@ -164,8 +164,8 @@ public final class FilamentEstimator {
 		final double[] off = Arrays.stream(good).map(l -> Math.abs(l - length)).sorted().toArray();
 		final double error = good.length < FEWEST_VOTES
 			? Double.NaN
-			: RobustStatistics.MAD_TO_SD * median(off)
-				* RobustStatistics.MEDIAN_TO_MEAN_ERROR / Math.sqrt(good.length);
+			: RobustStatistics.MAD_TO_SD * median(off) * RobustStatistics.MEDIAN_TO_MEAN_ERROR
+				/ Math.sqrt(good.length);
 		final double x = median(
 			examples.stream().mapToDouble(e -> e.chain().start().x()).sorted().toArray());
 		final double y = median(

@@ -69,8 +69,7 @@ public final class FilamentFitter {
 	public Fit fit(final Chain start, final Optional<Chain> predicted) {
 		final boolean freeLength = settings.freeLength();
 		if (nodes == null)
-			nodes = new NodeSystem(links + 1,
-				image.couplesFarNodes() || freeLength ? links : 1);
+			nodes = new NodeSystem(links + 1, image.couplesFarNodes() || freeLength ? links : 1);
 		final StepSystem system = image.couplesFarNodes() || freeLength
 			? new ReducedSystem(links, freeLength)
 			: new ChainSystem(links);

@@ -51,8 +51,7 @@ public record Residue(double unexplained, double invented, double pattern) {
 				Math.min(OUTLIER * 2, frame.pixels()[i] - picture[i]));
 		final double sigma = Math.max(1, model.sigma());
 		final float[] blurred = GaussianBlur.blur(residual, frame.width(), sigma);
-		final double threshold = Math.max(SEEN,
-			NOISES * noise / (2 * Math.sqrt(Math.PI) * sigma));
+		final double threshold = Math.max(SEEN, NOISES * noise / (2 * Math.sqrt(Math.PI) * sigma));
 		final boolean[] near = Neighbourhood.of(frame, chain, NEAR),
 			around = Neighbourhood.of(frame, chain, AROUND);
 		int more = 0, less = 0, count = 0;
@@ -69,7 +68,6 @@ public record Residue(double unexplained, double invented, double pattern) {
 			}
 		}
 		final double line = WIDTH * sigma * chain.length();
-		return new Residue(more / line, less / line,
-			Math.sqrt(sum / Math.max(1, count)) / noise);
+		return new Residue(more / line, less / line, Math.sqrt(sum / Math.max(1, count)) / noise);
 	}
 }

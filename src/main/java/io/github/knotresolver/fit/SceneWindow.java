@@ -58,8 +58,8 @@ public final class SceneWindow {
 	 * @return the fit; its energy is what the chain explains (negative) and its bending
 	 */
 	public Fit fit(final Chain start, final Optional<Chain> predicted, final FitSettings settings) {
-		return there(
-			new FilamentFitter(term, links, Optional.empty(), settings).fit(here(start), predicted));
+		return there(new FilamentFitter(term, links, Optional.empty(), settings).fit(here(start),
+			predicted));
 	}
 
 	/**

@@ -75,8 +75,8 @@ final class TipBeam {
 			for (int a = 0; a < HEADINGS; a++) {
 				final double turn = (a - HEADINGS / 2) * STEP;
 				final double heading = tip.theta[tip.theta.length - 1] + turn;
-				all.add(new Link(tip, heading, tip.gain
-					+ visit(tip.left, tip.x, tip.y, heading, false) - bend * turn * turn));
+				all.add(new Link(tip, heading,
+					tip.gain + visit(tip.left, tip.x, tip.y, heading, false) - bend * turn * turn));
 			}
 		all.sort(Comparator.comparingDouble(Link::gain).reversed());
 		return all.stream().limit(WIDTH).map(this::drawn).toList();

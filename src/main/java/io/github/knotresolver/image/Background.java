@@ -1,7 +1,5 @@
 package io.github.knotresolver.image;
 
-import io.github.knotresolver.geometry.RobustStatistics;
-
 import java.util.Arrays;
 
 import net.imglib2.RandomAccessibleInterval;
@@ -9,6 +7,8 @@ import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
 import net.imglib2.type.numeric.RealType;
 import net.imglib2.type.numeric.real.FloatType;
+
+import io.github.knotresolver.geometry.RobustStatistics;
 
 /** What a frame would be without its lines. */
 public final class Background {
@@ -86,7 +86,9 @@ public final class Background {
 			return 0;
 		Arrays.sort(off, 0, count);
 		// All alike: nothing sticks out.
-		return off[count / 2] > 0 ? RobustStatistics.MAD_TO_SD * off[count / 2] : Double.POSITIVE_INFINITY;
+		return off[count / 2] > 0
+			? RobustStatistics.MAD_TO_SD * off[count / 2]
+			: Double.POSITIVE_INFINITY;
 	}
 
 	private static float[] smooth(final float[] pixels, final int width, final boolean[] out) {

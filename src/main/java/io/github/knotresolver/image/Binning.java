@@ -22,8 +22,8 @@ public final class Binning {
 	 * @return a new image, {@code factor} times smaller along both axes
 	 * @throws IllegalArgumentException if the frame has no whole block
 	 */
-	public static Img<FloatType> mean(
-		final RandomAccessibleInterval<? extends RealType<?>> frame, final int factor) {
+	public static Img<FloatType> mean(final RandomAccessibleInterval<? extends RealType<?>> frame,
+		final int factor) {
 		final int width = Pixels.width(frame);
 		return Pixels.image(mean(Pixels.floats(frame), width, factor), width / factor);
 	}

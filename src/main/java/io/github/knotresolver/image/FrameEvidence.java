@@ -29,8 +29,8 @@ public final class FrameEvidence {
 	 * @param skeleton their middle lines, one pixel wide; kept, not copied
 	 * @param surety see {@link #surety()}
 	 */
-	public FrameEvidence(final Ridges ridges, final Img<BitType> mask,
-		final Img<BitType> skeleton, final double surety) {
+	public FrameEvidence(final Ridges ridges, final Img<BitType> mask, final Img<BitType> skeleton,
+		final double surety) {
 		this.appearance = ridges.appearance();
 		this.width = ridges.width();
 		this.mask = mask;
@@ -72,8 +72,8 @@ public final class FrameEvidence {
 	private static Img<BitType> part(final Img<BitType> mask, final long x, final long y,
 		final int width, final int height) {
 		return Pixels.mask(
-			Pixels.bits(Views.interval(mask, new long[]{x, y},
-				new long[]{x + width - 1, y + height - 1})),
+			Pixels.bits(
+				Views.interval(mask, new long[]{x, y}, new long[]{x + width - 1, y + height - 1})),
 			width);
 	}
 

@@ -22,8 +22,7 @@ public final class HotPixels {
 	 * @param frame a two-dimensional image
 	 * @return a new image of the same size
 	 */
-	public static Img<FloatType> clip(
-		final RandomAccessibleInterval<? extends RealType<?>> frame) {
+	public static Img<FloatType> clip(final RandomAccessibleInterval<? extends RealType<?>> frame) {
 		return Pixels.image(clip(Pixels.floats(frame), Pixels.width(frame)), Pixels.width(frame));
 	}
 

@@ -42,8 +42,9 @@ public record LineAppearance(Polarity polarity, double sigma, int binning, doubl
 			throw new IllegalArgumentException(
 				"The polarity of a movie's lines is bright or dark, but is auto.");
 		if (!(sigma > 0) || binning < 1 || !(filterSigma > 0))
-			throw new IllegalArgumentException("A line has sigma, binning and filter above 0, but they are "
-				+ sigma + ", " + binning + " and " + filterSigma + ".");
+			throw new IllegalArgumentException(
+				"A line has sigma, binning and filter above 0, but they are " + sigma + ", "
+					+ binning + " and " + filterSigma + ".");
 	}
 
 	/**

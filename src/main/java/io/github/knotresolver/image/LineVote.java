@@ -1,10 +1,9 @@
 package io.github.knotresolver.image;
 
-import io.github.knotresolver.model.Polarity;
-
 import java.util.Arrays;
 import java.util.List;
 
+import io.github.knotresolver.model.Polarity;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 

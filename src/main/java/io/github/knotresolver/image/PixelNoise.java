@@ -1,8 +1,8 @@
 package io.github.knotresolver.image;
 
-import io.github.knotresolver.geometry.RobustStatistics;
-
 import org.apache.commons.math3.stat.descriptive.rank.Median;
+
+import io.github.knotresolver.geometry.RobustStatistics;
 
 /** How noisy a frame is. */
 public final class PixelNoise {
@@ -25,6 +25,8 @@ public final class PixelNoise {
 		for (int i = 1; i < pixels.length; i++)
 			if (i % width != 0 && Double.isFinite(pixels[i] - pixels[i - 1]))
 				off[count++] = Math.abs(pixels[i] - pixels[i - 1]);
-		return count == 0 ? 0 : RobustStatistics.MAD_TO_SD * new Median().evaluate(off, 0, count) / Math.sqrt(2);
+		return count == 0
+			? 0
+			: RobustStatistics.MAD_TO_SD * new Median().evaluate(off, 0, count) / Math.sqrt(2);
 	}
 }

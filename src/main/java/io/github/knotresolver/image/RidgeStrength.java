@@ -196,8 +196,8 @@ public final class RidgeStrength {
 			Arrays.fill(sums, 0);
 			for (int i = -reach; i <= reach; i++) {
 				final int v = Math.min(Math.max(y + (int) Math.rint(i * s), 0), height - 1);
-				SeparableFilter.add(rows,
-					v * padded.length + reach + (int) Math.rint(i * c), weights[i + reach], sums);
+				SeparableFilter.add(rows, v * padded.length + reach + (int) Math.rint(i * c),
+					weights[i + reach], sums);
 			}
 		}
 	}

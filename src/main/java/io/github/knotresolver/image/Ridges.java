@@ -1,9 +1,9 @@
 package io.github.knotresolver.image;
 
-import io.github.knotresolver.model.Polarity;
-
 import net.imglib2.RandomAccessibleInterval;
 import net.imglib2.type.numeric.RealType;
+
+import io.github.knotresolver.model.Polarity;
 
 /**
  * Where a frame may have lines, in working pixels: brighter than both sides, by more than

@@ -10,14 +10,13 @@ import java.util.function.Consumer;
 
 import io.github.knotresolver.io.BatchFolders;
 import io.github.knotresolver.io.BatchList;
-import io.github.knotresolver.io.BatchOutcome.Status;
 import io.github.knotresolver.io.BatchOutcome;
+import io.github.knotresolver.io.BatchOutcome.Status;
 import io.github.knotresolver.io.BatchRow;
 import io.github.knotresolver.io.Failure;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.io.RunIdentity;
-import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
@@ -112,14 +111,13 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 			}
 		}
 
-		private Outcome outcome(final Path target, final Progress progress)
-			throws IOException {
+		private Outcome outcome(final Path target, final Progress progress) throws IOException {
 			final ResolveRun run = ResolveRun.of(row.over(defaults));
 			try (ResultFolder folder = ResultFolder.reserve(target, ResultKind.RESOLUTION,
 				overwrite, inputs)) {
 				final ImageSource source = ImageSource.of(row.file());
-				return run.read(source, progress)
-					.resolve(engine, new FolderSink(folder, source, plots), progress);
+				return run.read(source, progress).resolve(engine,
+					new FolderSink(folder, source, plots), progress);
 			}
 		}
 	}

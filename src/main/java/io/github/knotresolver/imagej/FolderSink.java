@@ -49,8 +49,7 @@ public final class FolderSink implements ResultSink {
 	}
 
 	@Override
-	public List<String> write(final Outcome outcome, final Progress progress)
-		throws IOException {
+	public List<String> write(final Outcome outcome, final Progress progress) throws IOException {
 		final MeasuredTracks result = outcome.result();
 		progress.report("Writing tables", 0);
 		writeTables(outcome);
@@ -79,15 +78,15 @@ public final class FolderSink implements ResultSink {
 		SummaryCsv.write(file(SummaryCsv.FILE), result, outcome.input());
 		for (final MeasuredFilament filament : result.filaments()) {
 			final String suffix = MeasuredFilament.suffix(filament.track().id());
-			OriginalFiles.writeContours(
-				file(OriginalFiles.CONTOURS.replace(".", suffix + ".")), filament);
-			OriginalFiles.writeStatistics(
-				file(OriginalFiles.STATISTICS.replace(".", suffix + ".")), filament, result);
+			OriginalFiles.writeContours(file(OriginalFiles.CONTOURS.replace(".", suffix + ".")),
+				filament);
+			OriginalFiles.writeStatistics(file(OriginalFiles.STATISTICS.replace(".", suffix + ".")),
+				filament, result);
 		}
 	}
 
-	private void writeOverlay(final Tracks tracks, final Pictures pictures,
-		final Progress progress) throws IOException {
+	private void writeOverlay(final Tracks tracks, final Pictures pictures, final Progress progress)
+		throws IOException {
 		pictures.draw("overlay.tif",
 			file -> OverlayStack.write(OverlayRenderer.stack(tracks, progress), file));
 		if (plots)
@@ -105,8 +104,7 @@ public final class FolderSink implements ResultSink {
 			for (final FilamentTrack filament : tracks.filaments()) {
 				progress.checkCancelled();
 				pictures.draw("montage-" + MeasuredFilament.number(filament.id()) + ".png",
-					file -> PngFile.write(file,
-						Montage.of(tracks, List.of(filament))));
+					file -> PngFile.write(file, Montage.of(tracks, List.of(filament))));
 			}
 	}
 

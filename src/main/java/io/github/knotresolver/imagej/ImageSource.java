@@ -17,8 +17,7 @@ public final class ImageSource implements MovieSource {
 	private final Optional<Path> file;
 	private RoiConverter rois;
 
-	private ImageSource(final Function<Progress, ImagePlus> opener,
-		final Optional<Path> file) {
+	private ImageSource(final Function<Progress, ImagePlus> opener, final Optional<Path> file) {
 		this.opener = opener;
 		this.file = file;
 	}

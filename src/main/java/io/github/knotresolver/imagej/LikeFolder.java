@@ -45,13 +45,13 @@ public final class LikeFolder {
 		if (plots) {
 			final List<List<FrameScore>> frames = result.movies().stream()
 				.map(m -> m.evaluation().frames()).toList();
-			leftOut.addAll(ScoreFigures.write(folder.path(), "", frames, result.positionErrors(),
-				progress));
+			leftOut.addAll(
+				ScoreFigures.write(folder.path(), "", frames, result.positionErrors(), progress));
 			final Pictures pictures = new Pictures(folder.path());
-			final SimulatedMovie first = study.movie(result.motion(),
-				result.movies().get(0).seed(), progress);
-			pictures.draw(COMPARISON, file -> PngFile.write(file,
-				SideBySide.of(result.source().movie(), first.movie())));
+			final SimulatedMovie first = study.movie(result.motion(), result.movies().get(0).seed(),
+				progress);
+			pictures.draw(COMPARISON,
+				file -> PngFile.write(file, SideBySide.of(result.source().movie(), first.movie())));
 			leftOut.addAll(pictures.notes());
 		}
 		progress.checkCancelled();

@@ -31,8 +31,7 @@ public final class ResultDisplay {
 	 * @param tracks the result
 	 * @param rois makes ROIs for this image
 	 */
-	public ResultDisplay(final ImagePlus image, final Tracks tracks,
-		final RoiConverter rois) {
+	public ResultDisplay(final ImagePlus image, final Tracks tracks, final RoiConverter rois) {
 		this.image = image;
 		this.tracks = tracks;
 		this.converter = rois;
@@ -111,8 +110,7 @@ public final class ResultDisplay {
 			final double[] x = Arrays.copyOfRange(line.xs(), i * LINKS, (i + 1) * LINKS + 1);
 			final double[] y = Arrays.copyOfRange(line.ys(), i * LINKS, (i + 1) * LINKS + 1);
 			final Roi roi = converter.roi(Polyline.of(x, y), frame, number(filament));
-			roi.setStrokeColor(
-				ContourPainter.colour(tracks, filament).apply((i + 0.5) / PIECES));
+			roi.setStrokeColor(ContourPainter.colour(tracks, filament).apply((i + 0.5) / PIECES));
 			pieces.add(roi);
 		}
 		return pieces;

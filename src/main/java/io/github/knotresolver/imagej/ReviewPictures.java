@@ -42,8 +42,8 @@ public final class ReviewPictures {
 	public BufferedImage small(final Tracks tracks, final FilamentTrack track, final int frame,
 		final Optional<Polyline> contour, final int edge) {
 		final Viewport part = Viewport.aroundContours(movie, List.of(track));
-		final FramePainter painter = new FramePainter(contrast, part
-			.scaled(Math.min(edge / (double) part.width(), edge / (double) part.height())));
+		final FramePainter painter = new FramePainter(contrast,
+			part.scaled(Math.min(edge / (double) part.width(), edge / (double) part.height())));
 		final BufferedImage picture = painter.paint(movie.frame(frame - 1));
 		contour.ifPresent(c -> {
 			painter.draw(picture, c, ContourPainter.colour(tracks, track), LINE, 1);
@@ -63,11 +63,10 @@ public final class ReviewPictures {
 		final Overlay overlay = new Overlay();
 		final Polyline line = contour.divided(PIECES * LINKS);
 		for (int i = 0; i < PIECES; i++) {
-			final Roi piece = RoiConverter.polyline(
-				Polyline.of(Arrays.copyOfRange(line.xs(), i * LINKS, (i + 1) * LINKS + 1),
+			final Roi piece = RoiConverter
+				.polyline(Polyline.of(Arrays.copyOfRange(line.xs(), i * LINKS, (i + 1) * LINKS + 1),
 					Arrays.copyOfRange(line.ys(), i * LINKS, (i + 1) * LINKS + 1)));
-			piece.setStrokeColor(
-				ContourPainter.colour(tracks, track).apply((i + 0.5) / PIECES));
+			piece.setStrokeColor(ContourPainter.colour(tracks, track).apply((i + 0.5) / PIECES));
 			piece.setUnscalableStrokeWidth(LINE);
 			overlay.add(piece);
 		}
@@ -80,7 +79,8 @@ public final class ReviewPictures {
 	 */
 	public static Roi dashed(final Polyline contour) {
 		final PolygonRoi roi = RoiConverter.polyline(contour);
-		roi.setStroke(new BasicStroke(1, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, DASHES, 0));
+		roi.setStroke(
+			new BasicStroke(1, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, DASHES, 0));
 		roi.setStrokeColor(Color.WHITE);
 		return roi;
 	}

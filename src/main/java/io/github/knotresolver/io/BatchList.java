@@ -45,15 +45,14 @@ public final class BatchList implements AutoCloseable {
 	 * @throws UserException if the folder cannot be used, in one sentence
 	 * @throws IOException if files cannot be made in it
 	 */
-	public static BatchList open(final Path out, final Collection<Path> inputs)
-		throws IOException {
+	public static BatchList open(final Path out, final Collection<Path> inputs) throws IOException {
 		final Path folder = ResultPlace.of(out).target();
 		requireList(out, folder.resolve(FILE), inputs);
 		try {
 			Files.createDirectories(folder);
 		} catch (final IOException e) {
-			throw new UserException("out " + out
-				+ " cannot be made; choose another folder in a writable place.", e);
+			throw new UserException(
+				"out " + out + " cannot be made; choose another folder in a writable place.", e);
 		}
 		final Path file = folder.toRealPath().resolve(FILE);
 		final HiddenNames hidden = HiddenNames.of(file.getParent(), file);
@@ -70,8 +69,8 @@ public final class BatchList implements AutoCloseable {
 		}
 	}
 
-	private static void requireList(final Path out, final Path file,
-		final Collection<Path> inputs) throws IOException {
+	private static void requireList(final Path out, final Path file, final Collection<Path> inputs)
+		throws IOException {
 		if (!Files.exists(file))
 			return;
 		for (final Path input : inputs)

@@ -35,17 +35,18 @@ public record BatchRow(int line, String movie, Map<String, String> texts, List<S
 		try {
 			return Path.of(movie);
 		} catch (final InvalidPathException e) {
-			throw new UserException("'" + visible(movie)
-				+ "' cannot be the name of a file on this system (" + e.getReason()
-				+ ", names are in " + System.getProperty("sun.jnu.encoding")
-				+ "); write it otherwise, or set LC_ALL=C.UTF-8 if it has letters like ü.", e);
+			throw new UserException(
+				"'" + visible(movie) + "' cannot be the name of a file on this system ("
+					+ e.getReason() + ", names are in " + System.getProperty("sun.jnu.encoding")
+					+ "); write it otherwise, or set LC_ALL=C.UTF-8 if it has letters like ü.",
+				e);
 		}
 	}
 
 	/** @return the movie's file name, without the folders */
 	public String name() {
-		return visible(movie.substring(
-			Math.max(movie.lastIndexOf('/'), movie.lastIndexOf('\\')) + 1));
+		return visible(
+			movie.substring(Math.max(movie.lastIndexOf('/'), movie.lastIndexOf('\\')) + 1));
 	}
 
 	/** Text of a sheet may hold characters that no terminal shows. */

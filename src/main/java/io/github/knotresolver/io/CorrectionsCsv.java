@@ -132,10 +132,9 @@ public final class CorrectionsCsv {
 			final Point point = new Point(coordinate(row, X), coordinate(row, Y));
 			final Group group = new Group(filament, frame, kind,
 				kind == Kind.NOT ? part(groups, new Group(filament, frame, kind, 0), index) : 0);
-			if (groups.computeIfAbsent(group, g -> new TreeMap<>())
-				.put(index, point) != null)
-				throw new UserException(place + ": frame " + frame + " has two points with index "
-					+ index + ".");
+			if (groups.computeIfAbsent(group, g -> new TreeMap<>()).put(index, point) != null)
+				throw new UserException(
+					place + ": frame " + frame + " has two points with index " + index + ".");
 		}
 
 		/** The last contour goes on while its indices rise. */
@@ -161,10 +160,8 @@ public final class CorrectionsCsv {
 			final String text = row.get(places.get(KIND));
 			return Arrays.stream(Kind.values()).filter(k -> k.label().equalsIgnoreCase(text))
 				.findFirst()
-				.orElseThrow(() -> OptionText.refusal(place(row, KIND),
-					Arrays.stream(Kind.values()).map(Kind::label)
-						.collect(Collectors.joining(" or ")),
-					text));
+				.orElseThrow(() -> OptionText.refusal(place(row, KIND), Arrays.stream(Kind.values())
+					.map(Kind::label).collect(Collectors.joining(" or ")), text));
 		}
 
 		private String place(final CsvRow row, final String column) {

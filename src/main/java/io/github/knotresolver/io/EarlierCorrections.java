@@ -50,10 +50,10 @@ public final class EarlierCorrections {
 				json.getAsJsonArray("constraints")
 					.forEach(c -> told.add(constraint(c.getAsJsonObject())));
 			return Constraint.sorted(told);
-		} catch (final IOException | JsonParseException | IllegalStateException
-			| ClassCastException | IllegalArgumentException | NullPointerException e) {
-			throw new UserException(file
-				+ " does not tell the corrections of its run; resolve the movie again.", e);
+		} catch (final IOException | JsonParseException | IllegalStateException | ClassCastException
+			| IllegalArgumentException | NullPointerException e) {
+			throw new UserException(
+				file + " does not tell the corrections of its run; resolve the movie again.", e);
 		}
 	}
 

@@ -53,14 +53,14 @@ public final class EvaluationCsv {
 
 	private static void writeRows(final CSVPrinter csv, final FilamentScore filament)
 		throws IOException {
-			for (final FrameScore f : filament.evaluation().frames()) {
-				final CurveScore s = f.score();
-				csv.printRecord(f.frame(), f.present() ? 1 : 0, f.crossings(),
-					s.isResolved() ? 1 : 0, number(s.dice()), s.truePositives(), s.falsePositives(),
-					s.falseNegatives(), number(s.frechet()), number(s.frechetReversed()),
-					number(s.error()), number(s.miss()), number(s.lengthError()), filament.filament(),
-					filament.isGiven() ? filament.result().getAsInt() : "");
-			}
+		for (final FrameScore f : filament.evaluation().frames()) {
+			final CurveScore s = f.score();
+			csv.printRecord(f.frame(), f.present() ? 1 : 0, f.crossings(), s.isResolved() ? 1 : 0,
+				number(s.dice()), s.truePositives(), s.falsePositives(), s.falseNegatives(),
+				number(s.frechet()), number(s.frechetReversed()), number(s.error()),
+				number(s.miss()), number(s.lengthError()), filament.filament(),
+				filament.isGiven() ? filament.result().getAsInt() : "");
+		}
 	}
 
 	/**

@@ -91,7 +91,8 @@ public record Failure(Kind kind, String sentence) {
 		final String message = cause.getMessage() == null ? "" : ": " + oneLine(cause.getMessage());
 		return "This is a bug in " + ProgramVersion.NAME + ", not a fault of yours ("
 			+ cause.getClass().getSimpleName() + message + "); please report it at " + ISSUES
-			+ log.keep(cause).map(file -> " and attach " + file + ", which tells where it happened.")
+			+ log.keep(cause)
+				.map(file -> " and attach " + file + ", which tells where it happened.")
 				.orElse(", with what you did (no log could be written).");
 	}
 

@@ -20,7 +20,8 @@ public final class FolderNames {
 	private static final Pattern ENDING = Pattern.compile("\\.[^.]*$");
 	private static final Pattern FORBIDDEN = Pattern.compile("[\\p{Cntrl}<>:\"/\\\\|?*]");
 	private static final Pattern OUTER_DOTS = Pattern.compile("^[. ]+|[. ]+$");
-	private static final Pattern DEVICE = Pattern.compile("(?i)(con|prn|aux|nul|com\\d|lpt\\d)(\\..*)?");
+	private static final Pattern DEVICE = Pattern
+		.compile("(?i)(con|prn|aux|nul|com\\d|lpt\\d)(\\..*)?");
 
 	private final Set<String> taken = new HashSet<>();
 

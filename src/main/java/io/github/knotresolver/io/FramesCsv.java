@@ -64,9 +64,8 @@ public final class FramesCsv {
 		// Anything but a number is not a row of ours; the contours then say how many there are.
 		return column < 0
 			? Math.max(0, rows.size() - 1)
-			: rows.stream().skip(1).filter(r -> r.size() > column)
-				.map(r -> r.number(column)).filter(t -> t.matches("[0-9]{1,7}"))
-				.mapToInt(Integer::parseInt).max().orElse(0);
+			: rows.stream().skip(1).filter(r -> r.size() > column).map(r -> r.number(column))
+				.filter(t -> t.matches("[0-9]{1,7}")).mapToInt(Integer::parseInt).max().orElse(0);
 	}
 
 	/**

@@ -50,8 +50,9 @@ record HiddenNames(Path base, String name) {
 		while (start.getBytes(StandardCharsets.UTF_8).length > LONGEST - HASH)
 			start = start.substring(0, start.offsetByCodePoints(start.length(), -1));
 		final String end = String.format(Locale.ROOT, "%08x", name.hashCode());
-		return start + "-".repeat(
-			LONGEST - end.length() - start.getBytes(StandardCharsets.UTF_8).length) + end;
+		return start
+			+ "-".repeat(LONGEST - end.length() - start.getBytes(StandardCharsets.UTF_8).length)
+			+ end;
 	}
 
 	/** @return whether this is the target's own name, not shortened */
@@ -75,8 +76,8 @@ record HiddenNames(Path base, String name) {
 		final String start = "." + name + "." + what + "-";
 		try (Stream<Path> files = Files.list(base)) {
 			return files.filter(f -> f.getFileName().toString().startsWith(start))
-				.filter(f -> isOurs(f.getFileName().toString()))
-				.filter(HiddenNames::isRealFolder).sorted().toList();
+				.filter(f -> isOurs(f.getFileName().toString())).filter(HiddenNames::isRealFolder)
+				.sorted().toList();
 		}
 	}
 

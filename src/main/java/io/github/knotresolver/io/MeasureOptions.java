@@ -1,5 +1,15 @@
 package io.github.knotresolver.io;
 
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.TreeMap;
+
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.measure.Quantity;
@@ -11,16 +21,6 @@ import io.github.knotresolver.options.CalibrationChoice;
 import io.github.knotresolver.options.OptionText;
 import io.github.knotresolver.options.UnitText;
 import io.github.knotresolver.progress.Progress;
-
-import java.util.Arrays;
-import java.util.Collections;
-import java.util.LinkedHashSet;
-import java.util.List;
-import java.util.Map;
-import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.Set;
-import java.util.TreeMap;
 
 /**
  * The options of a measurement, read from text: one definition for the command
@@ -103,8 +103,7 @@ public final class MeasureOptions {
 		final Optional<Double> length = within("persistence_length", SOFTEST, STIFFEST, "");
 		final Optional<Double> rigidity = within("rigidity", SOFTEST, STIFFEST, " pN µm²");
 		if (length.isPresent() && rigidity.isPresent())
-			throw new UserException(
-				"Give either a persistence length or a rigidity, not both.");
+			throw new UserException("Give either a persistence length or a rigidity, not both.");
 		return length.map(Rigidity::ofPersistenceLength)
 			.orElseGet(() -> rigidity.map(Rigidity::ofFlexural).orElse(Rigidity.UNKNOWN));
 	}

@@ -31,9 +31,8 @@ public record MeasuredTracks(Tracks tracks, List<MeasuredFilament> filaments) {
 	public static MeasuredTracks of(final Tracks tracks, final Progress progress) {
 		final List<MeasuredFilament> filaments = new ArrayList<>();
 		for (final FilamentTrack track : tracks.filaments()) {
-			final String name = tracks.movie().name() + (tracks.filaments().size() > 1
-				? "-" + MeasuredFilament.number(track.id())
-				: "");
+			final String name = tracks.movie().name()
+				+ (tracks.filaments().size() > 1 ? "-" + MeasuredFilament.number(track.id()) : "");
 			filaments.add(MeasuredFilament.of(tracks.movie(), track, name, progress));
 		}
 		return new MeasuredTracks(tracks, filaments);

@@ -156,16 +156,17 @@ public final class MeasurementTables {
 	}
 
 	private void writeOscillations(final Path file) throws IOException {
-		write(file, List.of("quantity", "dominant_frequency", "dominant_frequency_se",
-			"frequency_unit", "amplitude", "amplitude_unit", "phase", "false_alarm_probability"),
+		write(file,
+			List.of("quantity", "dominant_frequency", "dominant_frequency_se", "frequency_unit",
+				"amplitude", "amplitude_unit", "phase", "false_alarm_probability"),
 			(table, movie) -> {
 				for (final Quantity q : oscillating(movie)) {
 					final Optional<DominantFrequency> d = movie.dominantFrequency(q);
 					if (d.isPresent())
 						table.print(q.key(), NumberText.significant(d.get().frequency()),
-							NumberText.significant(d.get().standardError()),
-							movie.frequencyUnit(), NumberText.significant(d.get().amplitude()),
-							movie.unit(q), NumberText.significant(d.get().phase()),
+							NumberText.significant(d.get().standardError()), movie.frequencyUnit(),
+							NumberText.significant(d.get().amplitude()), movie.unit(q),
+							NumberText.significant(d.get().phase()),
 							NumberText.significant(d.get().falseAlarmProbability()));
 				}
 			});
@@ -246,8 +247,8 @@ public final class MeasurementTables {
 		final Map<String, Object> json = new LinkedHashMap<>();
 		json.put(ContoursCsv.FILAMENT, f.filament());
 		json.put("measured_frames", f.measurements().measured().size());
-		json.put("smoothing_window", Double
-			.valueOf(NumberText.significant(f.measurements().smoothing().window())));
+		json.put("smoothing_window",
+			Double.valueOf(NumberText.significant(f.measurements().smoothing().window())));
 		return json;
 	}
 }

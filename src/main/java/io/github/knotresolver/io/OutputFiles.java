@@ -23,8 +23,8 @@ public final class OutputFiles implements AutoCloseable {
 	private final FolderLock lock;
 	private final Path workplace;
 
-	private OutputFiles(final HiddenNames hidden, final List<String> names,
-		final boolean overwrite, final FolderLock lock) throws IOException {
+	private OutputFiles(final HiddenNames hidden, final List<String> names, final boolean overwrite,
+		final FolderLock lock) throws IOException {
 		this.folder = hidden.base();
 		this.names = names;
 		this.overwrite = overwrite;

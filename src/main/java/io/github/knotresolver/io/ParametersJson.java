@@ -57,7 +57,8 @@ public final class ParametersJson {
 		json.put("program", ProgramVersion.NAME);
 		json.put("version", ProgramVersion.get());
 		json.put("movie", movie(tracks.movie(), identity));
-		json.put("options", RunOptions.values(tracks.settings(), input, tracks.movie().calibration()));
+		json.put("options",
+			RunOptions.values(tracks.settings(), input, tracks.movie().calibration()));
 		json.put("corrections", corrections(tracks.settings().corrections()));
 		json.put("constraints", constraints(tracks.settings()));
 		identity.ifPresent(i -> {
@@ -78,10 +79,11 @@ public final class ParametersJson {
 	 */
 	public static String line(final Tracks tracks, final InputOptions input) {
 		final StringBuilder line = new StringBuilder();
-		RunOptions.values(tracks.settings(), input, tracks.movie().calibration()).forEach((key, value) -> {
-			if (value != null)
-				line.append(line.isEmpty() ? "" : " ").append(key).append('=').append(value);
-		});
+		RunOptions.values(tracks.settings(), input, tracks.movie().calibration())
+			.forEach((key, value) -> {
+				if (value != null)
+					line.append(line.isEmpty() ? "" : " ").append(key).append('=').append(value);
+			});
 		return line.toString();
 	}
 

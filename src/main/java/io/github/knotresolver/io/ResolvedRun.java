@@ -43,9 +43,8 @@ public record ResolvedRun(String name, Optional<Path> movie, RunOptions options,
 		try (Reader reader = Files.newBufferedReader(json, StandardCharsets.UTF_8)) {
 			final JsonObject root = JsonParser.parseReader(reader).getAsJsonObject();
 			if (!root.has("options") || !root.has("movie"))
-				throw new UserException(
-					"like must be a folder that 'resolve' wrote, but " + folder
-						+ " holds something else; name the folder of a resolved movie.");
+				throw new UserException("like must be a folder that 'resolve' wrote, but " + folder
+					+ " holds something else; name the folder of a resolved movie.");
 			final JsonObject movie = root.getAsJsonObject("movie");
 			return new ResolvedRun(movie.get("name").getAsString(),
 				text(movie.get("file")).map(Path::of), options(root.getAsJsonObject("options")),
@@ -78,9 +77,9 @@ public record ResolvedRun(String name, Optional<Path> movie, RunOptions options,
 	public Path movieFile(final Path named) {
 		if (named != null)
 			return named;
-		final Path file = movie.orElseThrow(() -> new UserException(
-			"movie is missing: the result does not tell the file of '" + name
-				+ "'; name the movie that it was made from."));
+		final Path file = movie.orElseThrow(
+			() -> new UserException("movie is missing: the result does not tell the file of '"
+				+ name + "'; name the movie that it was made from."));
 		if (!Files.exists(file))
 			throw new UserException("movie is missing: " + file
 				+ ", which the result was made from, is gone; name the file where it is now.");

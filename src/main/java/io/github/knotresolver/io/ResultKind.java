@@ -34,8 +34,7 @@ public enum ResultKind {
 		"filaments.csv", "crossings.csv", "oscillations.csv", "spectra.csv", "waves.csv"),
 
 	/** What {@code simulate} writes. */
-	SIMULATION("a simulated movie", "simulation", "", "movie.tif", "contours.csv",
-		"filaments.csv"),
+	SIMULATION("a simulated movie", "simulation", "", "movie.tif", "contours.csv", "filaments.csv"),
 
 	/** What {@code evaluate --like} writes. */
 	STUDY("a study of movies like a result's", "movie_seeds",
@@ -50,8 +49,7 @@ public enum ResultKind {
 	/**
 	 * @param key what only its {@code parameters.json} has
 	 */
-	ResultKind(final String label, final String key, final String pattern,
-		final String... names) {
+	ResultKind(final String label, final String key, final String pattern, final String... names) {
 		this.label = label;
 		this.key = key;
 		this.pattern = Pattern.compile(pattern);

@@ -66,17 +66,15 @@ record ResultPlace(Path out, Path target, Path base) {
 		final Path present = existing(absolute);
 		if (!Files.isDirectory(present))
 			throw new UserException(present.equals(absolute)
-				? "out " + out
-					+ " is a file, but the result needs a folder; choose another name."
+				? "out " + out + " is a file, but the result needs a folder; choose another name."
 				: "out " + out + " cannot be written, because " + present
 					+ " is a file; choose another folder.");
 		if (isTooLong(absolute.resolve(LONG_NAME)))
 			throw new UserException(
 				"out " + out + " is longer than the file system allows; choose a shorter name.");
 		if (!Files.isWritable(present))
-			throw new UserException("out " + out
-				+ " cannot be written, because the folder " + present
-				+ " is not writable; choose another one.");
+			throw new UserException("out " + out + " cannot be written, because the folder "
+				+ present + " is not writable; choose another one.");
 	}
 
 	/** The file system says so when it looks for the file. */
@@ -87,8 +85,7 @@ record ResultPlace(Path out, Path target, Path base) {
 		} catch (final NoSuchFileException e) {
 			return false;
 		} catch (final FileSystemException e) {
-			return String.valueOf(e.getReason()).toLowerCase(Locale.ROOT)
-				.contains("too long");
+			return String.valueOf(e.getReason()).toLowerCase(Locale.ROOT).contains("too long");
 		} catch (final IOException e) {
 			return false;
 		}

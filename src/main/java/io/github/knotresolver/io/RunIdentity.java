@@ -77,9 +77,7 @@ public record RunIdentity(Path movie, String sha256, String version, Map<String,
 	 */
 	public static Optional<RunIdentity> of(final Optional<Path> movie,
 		final Map<String, String> texts, final Progress progress) throws IOException {
-		return movie.isPresent()
-			? Optional.of(of(movie.get(), texts, progress))
-			: Optional.empty();
+		return movie.isPresent() ? Optional.of(of(movie.get(), texts, progress)) : Optional.empty();
 	}
 
 	/**
@@ -87,8 +85,7 @@ public record RunIdentity(Path movie, String sha256, String version, Map<String,
 	 * @param texts the options that were given, by key
 	 * @return all files that are read
 	 */
-	public static List<Path> files(final Optional<Path> movie,
-		final Map<String, String> texts) {
+	public static List<Path> files(final Optional<Path> movie, final Map<String, String> texts) {
 		final List<Path> files = new ArrayList<>(movie.stream().toList());
 		final String corrections = texts.get(CORRECTIONS_KEY);
 		if (corrections != null && !corrections.isBlank())
@@ -105,8 +102,8 @@ public record RunIdentity(Path movie, String sha256, String version, Map<String,
 			return Optional.empty();
 		try {
 			final JsonObject json = JsonParser
-				.parseString(Files.readString(folder.resolve(ParametersJson.FILE),
-					StandardCharsets.UTF_8))
+				.parseString(
+					Files.readString(folder.resolve(ParametersJson.FILE), StandardCharsets.UTF_8))
 				.getAsJsonObject();
 			final JsonObject movie = json.getAsJsonObject("movie");
 			if (movie == null || isMissing(movie.get("file")))
@@ -115,11 +112,11 @@ public record RunIdentity(Path movie, String sha256, String version, Map<String,
 			if (json.has(GIVEN))
 				json.getAsJsonObject(GIVEN).asMap()
 					.forEach((key, value) -> given.put(key, value.getAsString()));
-			return Optional.of(new RunIdentity(Path.of(movie.get("file").getAsString()),
-				text(movie.get(SHA256)), text(json.get("version")), given,
-				text(json.get(CORRECTIONS))));
-		} catch (final IOException | JsonParseException | IllegalStateException
-			| ClassCastException | UnsupportedOperationException | InvalidPathException e) {
+			return Optional.of(
+				new RunIdentity(Path.of(movie.get("file").getAsString()), text(movie.get(SHA256)),
+					text(json.get("version")), given, text(json.get(CORRECTIONS))));
+		} catch (final IOException | JsonParseException | IllegalStateException | ClassCastException
+			| UnsupportedOperationException | InvalidPathException e) {
 			return Optional.empty();
 		}
 	}
@@ -170,8 +167,8 @@ public record RunIdentity(Path movie, String sha256, String version, Map<String,
 		}
 	}
 
-	private static void update(final MessageDigest digest, final Path file,
-		final Progress progress) throws IOException {
+	private static void update(final MessageDigest digest, final Path file, final Progress progress)
+		throws IOException {
 		try (InputStream in = Files.newInputStream(file)) {
 			final byte[] buffer = new byte[BUFFER];
 			for (int n = in.read(buffer); n >= 0; n = in.read(buffer)) {

@@ -46,8 +46,7 @@ public final class RunReport {
 		if (tracks.filaments().isEmpty())
 			return tracks.movie().name() + ": no filament was found in " + frames + " frames.";
 		if (result.isSeveral())
-			return tracks.movie().name() + ": " + tracks.filaments().size()
-				+ " filaments; "
+			return tracks.movie().name() + ": " + tracks.filaments().size() + " filaments; "
 				+ tracks.filaments().stream().mapToInt(FilamentTrack::resolved).sum() + " of "
 				+ tracks.filaments().stream().mapToLong(RunReport::inView).sum()
 				+ " filament-frames resolved.";
@@ -99,8 +98,7 @@ public final class RunReport {
 			final Map<String, SortedSet<Integer>> frames = new LinkedHashMap<>();
 			for (final Observation frame : filament.track().frames())
 				if (frame.status() == FrameStatus.UNRESOLVED || frame.status() == FrameStatus.LOST)
-					frames.computeIfAbsent(frame.reason(), r -> new TreeSet<>())
-						.add(frame.frame());
+					frames.computeIfAbsent(frame.reason(), r -> new TreeSet<>()).add(frame.frame());
 			frames.forEach((reason, some) -> lines
 				.add(frames(result, filament) + (some.size() == 1 ? "rame " : "rames ")
 					+ FrameSelection.format(some) + ": " + reason));

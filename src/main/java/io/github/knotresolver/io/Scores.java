@@ -47,13 +47,11 @@ public record Scores(List<FilamentScore> filaments, double[] positionErrors, Lis
 			: result.toAbsolutePath().resolveSibling(FramesCsv.FILE);
 		final SceneEvaluation scene = SceneEvaluation.of(truths, results,
 			FramesCsv.confidences(frames), progress);
-		return new Scores(scene.filaments(), scene.positionErrors(),
-			EvaluationReport.lines(scene));
+		return new Scores(scene.filaments(), scene.positionErrors(), EvaluationReport.lines(scene));
 	}
 
 	private static Scores of(final Evaluation evaluation) {
-		return new Scores(
-			List.of(new FilamentScore(1, OptionalInt.of(1), false, evaluation)),
+		return new Scores(List.of(new FilamentScore(1, OptionalInt.of(1), false, evaluation)),
 			evaluation.positionErrors(), EvaluationReport.lines(evaluation));
 	}
 

@@ -38,18 +38,17 @@ public final class SummaryCsv {
 	 * @param input how the movie was taken from its image
 	 * @throws IOException if a file cannot be written
 	 */
-	public static void write(final Path file, final MeasuredTracks result,
-		final InputOptions input) throws IOException {
+	public static void write(final Path file, final MeasuredTracks result, final InputOptions input)
+		throws IOException {
 		final LengthStatistics s = LengthStatistics.of(result.frames());
 		final Tracks tracks = result.tracks();
 		final Optional<DominantFrequency> f = result.dominantFrequency();
 		try (CSVPrinter csv = CsvFile.create(file, HEADER)) {
-			csv.printRecord(tracks.movie().name(), tracks.movie().size(),
-				tracks.resolved(), NumberText.significant(s.mean()),
-				NumberText.significant(s.median()), NumberText.significant(s.sd()),
-				NumberText.significant(s.min()), NumberText.significant(s.max()),
-				result.calibration().unit(), text(f, DominantFrequency::frequency),
-				text(f, DominantFrequency::standardError),
+			csv.printRecord(tracks.movie().name(), tracks.movie().size(), tracks.resolved(),
+				NumberText.significant(s.mean()), NumberText.significant(s.median()),
+				NumberText.significant(s.sd()), NumberText.significant(s.min()),
+				NumberText.significant(s.max()), result.calibration().unit(),
+				text(f, DominantFrequency::frequency), text(f, DominantFrequency::standardError),
 				text(f, DominantFrequency::falseAlarmProbability), result.frequencyUnit(),
 				ProgramVersion.get(), ParametersJson.line(tracks, input),
 				tracks.filaments().size());

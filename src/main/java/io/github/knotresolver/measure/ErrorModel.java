@@ -1,13 +1,13 @@
 
 package io.github.knotresolver.measure;
 
-import io.github.knotresolver.geometry.RobustStatistics;
-import io.github.knotresolver.measure.ErrorCorrelation.Kind;
-
 import java.util.Collection;
 import java.util.function.ToDoubleFunction;
 
 import org.apache.commons.math3.stat.descriptive.rank.Median;
+
+import io.github.knotresolver.geometry.RobustStatistics;
+import io.github.knotresolver.measure.ErrorCorrelation.Kind;
 
 /**
  * What is known of the errors of contours that were smoothed alike.
@@ -59,7 +59,8 @@ record ErrorModel(NoiseGain fit, NoiseGain residual, boolean held) {
 		if (contours.size() < FEWEST)
 			return false;
 		final double length = median(contours, SmoothedContour::traced);
-		final double scatter = RobustStatistics.MAD_TO_SD * median(contours, k -> Math.abs(k.traced() - length));
+		final double scatter = RobustStatistics.MAD_TO_SD
+			* median(contours, k -> Math.abs(k.traced() - length));
 		return scatter < median(contours, k -> k.wide().sigma(residual));
 	}
 

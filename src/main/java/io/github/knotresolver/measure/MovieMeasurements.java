@@ -117,11 +117,10 @@ public final class MovieMeasurements {
 			}).toList();
 		final ErrorModel errors = ErrorModel
 			.learn(smoothed.stream().flatMap(Optional::stream).toList(), smoothing.order());
-		final List<Optional<ContourGeometry>> geometries = smoothed.parallelStream()
-			.map(s -> {
-				progress.checkCancelled();
-				return s.map(k -> new ContourGeometry(k, smoothing, c.pixelSize(), errors));
-			}).toList();
+		final List<Optional<ContourGeometry>> geometries = smoothed.parallelStream().map(s -> {
+			progress.checkCancelled();
+			return s.map(k -> new ContourGeometry(k, smoothing, c.pixelSize(), errors));
+		}).toList();
 		final int[] turns = Turns.between(geometries);
 		final List<FrameMeasurement> frames = IntStream.range(0, geometries.size()).parallel()
 			.mapToObj(i -> geometries.get(i)

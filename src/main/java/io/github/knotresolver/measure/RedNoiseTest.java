@@ -39,8 +39,9 @@ final class RedNoiseTest {
 		final TimeSeries[] noise = new TimeSeries[SIMULATIONS];
 		Arrays.setAll(noise, i -> simulated(rho, random));
 		final Progress present = Cancellation.present();
-		final long asHigh = Arrays.stream(noise).parallel().filter(s -> Cancellation.during(present,
-			() -> prominence(s.detrended()) >= observed)).count();
+		final long asHigh = Arrays.stream(noise).parallel()
+			.filter(s -> Cancellation.during(present, () -> prominence(s.detrended()) >= observed))
+			.count();
 		return (asHigh + 1) / (SIMULATIONS + 1.0);
 	}
 

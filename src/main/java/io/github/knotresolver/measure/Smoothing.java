@@ -33,8 +33,7 @@ public record Smoothing(double window, int order) {
 
 	public Smoothing {
 		if (!(window > 0) || Double.isInfinite(window))
-			throw new UserException(
-				"The smoothing window must be above 0, but is " + window + ".");
+			throw new UserException("The smoothing window must be above 0, but is " + window + ".");
 		if (order < 2 || order > 5)
 			throw new UserException(
 				"The smoothing order must be from 2 to 5, but is " + order + ".");

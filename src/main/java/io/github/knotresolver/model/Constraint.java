@@ -1,12 +1,12 @@
 package io.github.knotresolver.model;
 
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.TreeSet;
 import java.util.function.UnaryOperator;
-import java.util.Collection;
 
 import io.github.knotresolver.geometry.Polyline;
 
@@ -18,8 +18,8 @@ import io.github.knotresolver.geometry.Polyline;
  * @param kind what is said
  * @param shape the contour, fixed end first, or the places, in pixels
  */
-public record Constraint(int filament, int frame, Kind kind, Polyline shape)
-	implements Comparable<Constraint> {
+public record Constraint(int filament, int frame, Kind kind,
+	Polyline shape) implements Comparable<Constraint> {
 
 	/** What a person can say. */
 	public enum Kind {
@@ -45,8 +45,8 @@ public record Constraint(int filament, int frame, Kind kind, Polyline shape)
 	public Constraint {
 		Objects.requireNonNull(kind);
 		if (filament < 1)
-			throw new UserException("A correction must be of a filament counted from 1, but is of "
-				+ filament + ".");
+			throw new UserException(
+				"A correction must be of a filament counted from 1, but is of " + filament + ".");
 		if (frame < 1)
 			throw new UserException(
 				"A correction must be of a frame counted from 1, but is of " + frame + ".");
@@ -55,8 +55,8 @@ public record Constraint(int filament, int frame, Kind kind, Polyline shape)
 			throw new UserException("The correction of frame " + frame
 				+ " needs at least two points, more than a pixel apart, from the fixed end to the tip.");
 		if (kind == Kind.TIP && shape.size() != 1)
-			throw new UserException("The tip in frame " + frame + " must be one point, but has "
-				+ shape.size() + ".");
+			throw new UserException(
+				"The tip in frame " + frame + " must be one point, but has " + shape.size() + ".");
 	}
 
 	/**

@@ -30,9 +30,9 @@ public record FilamentTrack(int id, Anchor anchor, Optional<Point> fixedEnd, dou
 		frames = List.copyOf(frames);
 		for (int i = 0; i < frames.size(); i++)
 			if (frames.get(i).frame() != i + 1)
-				throw new IllegalArgumentException("Row " + (i + 1) + " of filament " + id
-					+ " must be frame " + (i + 1) + ", but is frame " + frames.get(i).frame()
-					+ ".");
+				throw new IllegalArgumentException(
+					"Row " + (i + 1) + " of filament " + id + " must be frame " + (i + 1)
+						+ ", but is frame " + frames.get(i).frame() + ".");
 	}
 
 	/** @return how many frames have a contour */

@@ -24,8 +24,8 @@ public record Region(int x, int y, int width, int height) {
 
 	public Region {
 		if (width < LEAST || height < LEAST)
-			throw new UserException("The region " + x + "," + y + "," + width + ","
-				+ height + " is too small for a filament; it must have " + LEAST + " x " + LEAST
+			throw new UserException("The region " + x + "," + y + "," + width + "," + height
+				+ " is too small for a filament; it must have " + LEAST + " x " + LEAST
 				+ " pixels at least, or leave it out to search the whole image.");
 	}
 
@@ -73,8 +73,8 @@ public record Region(int x, int y, int width, int height) {
 	 */
 	public Settings of(final Settings p) {
 		return p.edit().region(Optional.empty()).fixedEnd(p.fixedEnd().map(this::inside))
-			.constraints(p.constraints().stream()
-				.map(c -> c.with(shape -> moved(shape, -x, -y))).toList())
+			.constraints(
+				p.constraints().stream().map(c -> c.with(shape -> moved(shape, -x, -y))).toList())
 			.build();
 	}
 
@@ -82,8 +82,7 @@ public record Region(int x, int y, int width, int height) {
 		final Point moved = new Point(end.x() - x, end.y() - y);
 		if (moved.x() < -0.5 || moved.y() < -0.5 || moved.x() > width - 0.5
 			|| moved.y() > height - 0.5)
-			throw new UserException("fixed_end " + end + " lies outside the region "
-				+ this
+			throw new UserException("fixed_end " + end + " lies outside the region " + this
 				+ " (x,y,width,height); move the region, or leave it out to search the whole image.");
 		return moved;
 	}
@@ -94,15 +93,13 @@ public record Region(int x, int y, int width, int height) {
 	 */
 	public FilamentTrack back(final FilamentTrack track) {
 		return new FilamentTrack(track.id(), track.anchor(), track.fixedEnd().map(this::back),
-			track.length(), track.lengthError(),
-			track.frames().stream().map(this::back).toList());
+			track.length(), track.lengthError(), track.frames().stream().map(this::back).toList());
 	}
 
 	private Observation back(final Observation o) {
 		return new Observation(o.frame(), o.status(), o.reason(), o.contour().map(this::back),
-			o.junctions(), o.candidates(), o.cost(), o.confidence(), o.visible(),
-			o.alternatives().stream().map(a -> new Alternative(back(a.contour()), a.cost()))
-				.toList());
+			o.junctions(), o.candidates(), o.cost(), o.confidence(), o.visible(), o.alternatives()
+				.stream().map(a -> new Alternative(back(a.contour()), a.cost())).toList());
 	}
 
 	/**

@@ -63,7 +63,8 @@ public record Segmentation(Steps steps, Polarity polarity, OptionalDouble thresh
 	 * @return the same with that
 	 */
 	public Segmentation withSteps(final Steps value) {
-		return new Segmentation(value, polarity, threshold, iterations, contractionBias, smoothFactor);
+		return new Segmentation(value, polarity, threshold, iterations, contractionBias,
+			smoothFactor);
 	}
 
 	/**
@@ -103,8 +104,7 @@ public record Segmentation(Steps steps, Polarity polarity, OptionalDouble thresh
 	 * @return the same with that
 	 */
 	public Segmentation withPolarity(final Polarity value) {
-		return new Segmentation(steps, value, threshold, iterations, contractionBias,
-			smoothFactor);
+		return new Segmentation(steps, value, threshold, iterations, contractionBias, smoothFactor);
 	}
 
 	/** @return whether threshold and active contour are as they are by default */

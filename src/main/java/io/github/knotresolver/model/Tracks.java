@@ -21,9 +21,9 @@ public record Tracks(Movie movie, Settings settings, List<FilamentTrack> filamen
 		notes = List.copyOf(notes);
 		for (final FilamentTrack filament : filaments)
 			if (filament.frames().size() != movie.size())
-				throw new IllegalArgumentException("The movie has " + movie.size()
-					+ " frames, but filament " + filament.id() + " has " + filament.frames().size()
-					+ ".");
+				throw new IllegalArgumentException(
+					"The movie has " + movie.size() + " frames, but filament " + filament.id()
+						+ " has " + filament.frames().size() + ".");
 		for (int i = 1; i < filaments.size(); i++)
 			if (filaments.get(i).id() <= filaments.get(i - 1).id())
 				throw new IllegalArgumentException("Filaments must rise by their numbers, but "

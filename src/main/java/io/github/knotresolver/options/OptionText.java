@@ -43,7 +43,8 @@ public final class OptionText {
 	 * @return a finite number
 	 */
 	public static double number(final String key, final String text, final String expected) {
-		if (!NUMBER.matcher(CellText.clean(text)).matches() || Double.isInfinite(Double.parseDouble(CellText.clean(text))))
+		if (!NUMBER.matcher(CellText.clean(text)).matches()
+			|| Double.isInfinite(Double.parseDouble(CellText.clean(text))))
 			throw refusal(key, expected, text);
 		return Double.parseDouble(CellText.clean(text));
 	}
@@ -135,7 +136,8 @@ public final class OptionText {
 		if (CellText.clean(text).equalsIgnoreCase("otsu"))
 			return OptionalDouble.empty();
 		final boolean isNumber = NUMBER.matcher(CellText.clean(text)).matches();
-		if (!isNumber || !(Double.parseDouble(CellText.clean(text)) >= 0 && Double.parseDouble(CellText.clean(text)) <= 1))
+		if (!isNumber || !(Double.parseDouble(CellText.clean(text)) >= 0
+			&& Double.parseDouble(CellText.clean(text)) <= 1))
 			throw refusal("threshold", "a number from 0 to 1, or otsu", text);
 		return OptionalDouble.of(Double.parseDouble(CellText.clean(text)));
 	}

@@ -44,8 +44,7 @@ public final class ResolveOptions {
 			.label("Threshold (0..1 or otsu)")
 			.help("Brightness above which a pixel starts as filament, of a stretched frame")
 			.byDefault("otsu").range("0 to 1")
-			.reads((d, t) -> d.segmentation = d.segmentation
-				.withThreshold(OptionText.threshold(t)))
+			.reads((d, t) -> d.segmentation = d.segmentation.withThreshold(OptionText.threshold(t)))
 			.writes(c -> c.settings().segmentation().threshold().isPresent()
 				? c.settings().segmentation().threshold().getAsDouble()
 				: "otsu"),
@@ -53,53 +52,57 @@ public final class ResolveOptions {
 		option("iterations", Kind.WHOLE).advanced(Section.MASK).takes("N").label("Iterations")
 			.help("Steps of the active contour that moves the mask's outline").byDefault("10")
 			.range("0 to 1000")
-			.reads((d, t) -> d.segmentation = d.segmentation
-				.withIterations(OptionText.wholeNumber("iterations", t)))
+			.reads((d,
+				t) -> d.segmentation = d.segmentation
+					.withIterations(OptionText.wholeNumber("iterations", t)))
 			.writes(c -> c.settings().segmentation().iterations()),
 
 		option("contraction_bias", Kind.NUMBER).advanced(Section.MASK).takes("B")
 			.label("Contraction bias").help("How much the mask's outline wants to shrink")
 			.byDefault("0.4").range("-1 to 1")
-			.reads((d, t) -> d.segmentation = d.segmentation
-				.withContractionBias(OptionText.number("contraction_bias", t)))
+			.reads((d,
+				t) -> d.segmentation = d.segmentation
+					.withContractionBias(OptionText.number("contraction_bias", t)))
 			.writes(c -> c.settings().segmentation().contractionBias()),
 
 		option("smooth_factor", Kind.NUMBER).advanced(Section.MASK).takes("S")
 			.label("Smooth factor").help("How smooth the mask's outline becomes").byDefault("0.2")
 			.range("0 to 10")
-			.reads((d, t) -> d.segmentation = d.segmentation
-				.withSmoothFactor(OptionText.number("smooth_factor", t)))
+			.reads((d,
+				t) -> d.segmentation = d.segmentation
+					.withSmoothFactor(OptionText.number("smooth_factor", t)))
 			.writes(c -> c.settings().segmentation().smoothFactor()),
 
 		option("segmentation", Kind.CHOICE).advanced(Section.MASK).oneOf(Segmentation.Steps.class)
-			.label("Segmentation").help("What makes the mask; threshold and published method get both")
+			.label("Segmentation")
+			.help("What makes the mask; threshold and published method get both")
 			.byDefault("evidence")
-			.reads((d, t) -> d.segmentation = d.segmentation
-				.withSteps(OptionText.choice("segmentation", t, Segmentation.Steps.class)))
+			.reads((d,
+				t) -> d.segmentation = d.segmentation
+					.withSteps(OptionText.choice("segmentation", t, Segmentation.Steps.class)))
 			.writes(c -> word(c.settings().segmentation().steps())),
 
 		option("polarity", Kind.CHOICE).basic(Section.FILAMENT).oneOf(Polarity.class)
-			.label("Polarity").help("Whether filaments are brighter or darker than their background")
+			.label("Polarity")
+			.help("Whether filaments are brighter or darker than their background")
 			.byDefault("auto")
-			.reads((d, t) -> d.segmentation = d.segmentation
-				.withPolarity(OptionText.choice("polarity", t, Polarity.class)))
+			.reads((d,
+				t) -> d.segmentation = d.segmentation
+					.withPolarity(OptionText.choice("polarity", t, Polarity.class)))
 			.writes(c -> word(c.settings().segmentation().polarity())),
 
 		option("log_size", Kind.WHOLE).advanced(Section.MASK).takes("N")
 			.label("LoG size (px, odd; 0: off)")
 			.help("Edge of a Laplacian of Gaussian in pixels, for uneven background")
 			.byDefault("off").range("odd, 3 to 99")
-			.reads(
-				(d, t) -> d.logSize = OptionalInt.of(OptionText.wholeNumber("log_size", t)))
-			.writes(c -> c.settings().cleaning().enhances()
-				? c.settings().cleaning().logSize()
-				: null),
+			.reads((d, t) -> d.logSize = OptionalInt.of(OptionText.wholeNumber("log_size", t)))
+			.writes(
+				c -> c.settings().cleaning().enhances() ? c.settings().cleaning().logSize() : null),
 
 		option("log_sigma", Kind.NUMBER).advanced(Section.MASK).takes("S")
 			.label("LoG sigma (px; 0: off)").help("Its standard deviation in pixels")
 			.byDefault("off").range("above 0 to 50")
-			.reads(
-				(d, t) -> d.logSigma = OptionalDouble.of(OptionText.number("log_sigma", t)))
+			.reads((d, t) -> d.logSigma = OptionalDouble.of(OptionText.number("log_sigma", t)))
 			.writes(c -> c.settings().cleaning().enhances()
 				? c.settings().cleaning().logSigma()
 				: null),
@@ -126,8 +129,7 @@ public final class ResolveOptions {
 				: null),
 
 		option("length_model", Kind.CHOICE).basic(Section.FILAMENT).oneOf(LengthModel.class)
-			.label("Length model").help("Whether the filament keeps its length")
-			.byDefault("auto")
+			.label("Length model").help("Whether the filament keeps its length").byDefault("auto")
 			.reads((d, t) -> d.settings
 				.lengthModel(OptionText.choice("length_model", t, LengthModel.class)))
 			.writes(c -> word(c.settings().lengthModel())),
@@ -140,8 +142,7 @@ public final class ResolveOptions {
 
 		option("anchor", Kind.CHOICE).basic(Section.FILAMENT).oneOf(AnchorChoice.class)
 			.label("Anchor").help("Whether filaments are held at one end").byDefault("auto")
-			.reads((d, t) -> d.settings
-				.anchor(OptionText.choice("anchor", t, AnchorChoice.class)))
+			.reads((d, t) -> d.settings.anchor(OptionText.choice("anchor", t, AnchorChoice.class)))
 			.writes(c -> word(c.settings().anchor())),
 
 		option("refine", Kind.FLAG).advanced(Section.METHOD).label("Refine (sub-pixel)")
@@ -155,28 +156,28 @@ public final class ResolveOptions {
 			.reads((d, t) -> d.channel = OptionText.wholeNumber("channel", t, 1))
 			.writes(c -> c.input().channel()),
 
-		option("z_as_time", Kind.FLAG).basic(Section.FRAMES)
-			.label("Z as time (slices are frames)")
+		option("z_as_time", Kind.FLAG).basic(Section.FRAMES).label("Z as time (slices are frames)")
 			.help("Read the slices of a Z-stack as frames").byDefault("off")
 			.reads((d, t) -> d.zAsTime = OptionText.flag("z_as_time", t))
 			.writes(c -> c.input().zAsTime()),
 
-		option("frames", Kind.TEXT).basic(Section.FRAMES).takes("LIST")
-			.label("Frames (as 1-40,45)").help("Frames to resolve, such as 1-40,45")
-			.byDefault("all").range("frames of the movie")
+		option("frames", Kind.TEXT).basic(Section.FRAMES).takes("LIST").label("Frames (as 1-40,45)")
+			.help("Frames to resolve, such as 1-40,45").byDefault("all")
+			.range("frames of the movie")
 			.reads((d, t) -> d.settings.frames(FrameSelection.parse("frames", t)))
 			.writes(c -> selection(c.settings().frames())),
 
 		option("ignore_frames", Kind.TEXT).basic(Section.FRAMES).takes("LIST")
-			.label("Ignored frames").help("Frames to leave out, such as 7,12-15")
-			.byDefault("none").range("frames of the movie")
-			.reads(
-				(d, t) -> d.settings.ignoreFrames(FrameSelection.parse("ignore_frames", t)))
+			.label("Ignored frames").help("Frames to leave out, such as 7,12-15").byDefault("none")
+			.range("frames of the movie")
+			.reads((d, t) -> d.settings.ignoreFrames(FrameSelection.parse("ignore_frames", t)))
 			.writes(c -> selection(c.settings().ignoreFrames())),
 
 		option("corrections", Kind.FILE).basic(Section.FRAMES).takes("FILE")
-			.label("Corrections (CSV)").help("What you say of frames: contours, places passed, tips, refusals")
-			.byDefault("none").reads((d, t) -> d.corrections = Optional.of(OptionText.path("corrections", t))),
+			.label("Corrections (CSV)")
+			.help("What you say of frames: contours, places passed, tips, refusals")
+			.byDefault("none")
+			.reads((d, t) -> d.corrections = Optional.of(OptionText.path("corrections", t))),
 
 		option("pixel_size", Kind.TEXT).basic(Section.UNITS).takes("P").label("Pixel size")
 			.help("Edge of a pixel").byDefault("the image's").range("0.1 nm to 1 mm")
@@ -191,20 +192,19 @@ public final class ResolveOptions {
 		option("frame_interval", Kind.TEXT).basic(Section.UNITS).takes("S")
 			.label("Frame interval (s)").help("Seconds between frames").byDefault("the image's")
 			.range("1e-9 s to a year")
-			.reads((d, t) -> d.frameInterval = OptionalDouble
-				.of(OptionText.positive("frame_interval", t)))
+			.reads((d,
+				t) -> d.frameInterval = OptionalDouble.of(OptionText.positive("frame_interval", t)))
 			.writes(c -> c.calibration().hasTimeUnit() ? c.calibration().frameInterval() : null),
 
 		// Not written: the result does not depend on it.
 		option("threads", Kind.WHOLE).advanced(Section.RUN).takes("N")
-			.label("Threads (0: all cores)")
-			.help("Threads; the result does not depend on them").byDefault("all cores")
-			.range("1 or more")
+			.label("Threads (0: all cores)").help("Threads; the result does not depend on them")
+			.byDefault("all cores").range("1 or more")
 			.reads((d, t) -> d.settings.threads(OptionText.wholeNumber("threads", t, 1))));
 
 	/** The keys of all options, in the same order. */
-	public static final Set<String> KEYS = Collections.unmodifiableSet(
-		new LinkedHashSet<>(ALL.stream().map(Option::key).toList()));
+	public static final Set<String> KEYS = Collections
+		.unmodifiableSet(new LinkedHashSet<>(ALL.stream().map(Option::key).toList()));
 
 	private ResolveOptions() {
 	}

@@ -134,9 +134,8 @@ public final class RunOptions {
 	/** @return whether the same was chosen, however it was written */
 	@Override
 	public boolean equals(final Object other) {
-		return other instanceof RunOptions o && input.equals(o.input)
-			&& settings.equals(o.settings) && length.equals(o.length)
-			&& corrections.equals(o.corrections);
+		return other instanceof RunOptions o && input.equals(o.input) && settings.equals(o.settings)
+			&& length.equals(o.length) && corrections.equals(o.corrections);
 	}
 
 	@Override

@@ -1,5 +1,12 @@
 package io.github.knotresolver.paper;
 
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
 import io.github.knotresolver.candidate.Candidate;
 import io.github.knotresolver.candidate.CandidateGenerator;
 import io.github.knotresolver.candidate.CandidateQuery;
@@ -10,13 +17,6 @@ import io.github.knotresolver.graph.Node;
 import io.github.knotresolver.graph.RootedGraph;
 import io.github.knotresolver.graph.Step;
 import io.github.knotresolver.progress.Progress;
-
-import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.LinkedHashSet;
-import java.util.List;
-import java.util.Optional;
-import java.util.Set;
 
 /**
  * The published method: paths of the digraph of branch and filament vertices from

@@ -1,5 +1,10 @@
 package io.github.knotresolver.paper;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
 import io.github.knotresolver.candidate.CandidateGenerator;
 import io.github.knotresolver.candidate.CandidateQuery;
 import io.github.knotresolver.candidate.CandidateSet;
@@ -18,11 +23,6 @@ import io.github.knotresolver.track.Outcome;
 import io.github.knotresolver.track.Resolver;
 import io.github.knotresolver.track.ResolverQuery;
 import io.github.knotresolver.track.Track;
-
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Optional;
-import java.util.OptionalDouble;
 
 /**
  * The published method: from frame to frame, the candidate nearest to the last

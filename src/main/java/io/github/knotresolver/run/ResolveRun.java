@@ -89,8 +89,8 @@ public final class ResolveRun {
 		 * @throws UserException if there is no result, in one sentence
 		 * @throws IOException if the result cannot be written
 		 */
-		public Outcome resolve(final Engine engine, final ResultSink sink,
-			final Progress progress) throws IOException {
+		public Outcome resolve(final Engine engine, final ResultSink sink, final Progress progress)
+			throws IOException {
 			final Optional<RunIdentity> identity = sink == ResultSink.NONE
 				? Optional.empty()
 				: RunIdentity.of(file, texts, progress);

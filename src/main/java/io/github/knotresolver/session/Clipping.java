@@ -42,8 +42,8 @@ record Clipping(double share, double most) {
 
 	/** Looks at all pixels of some frames. */
 	static Clipping of(final Movie movie, final List<Integer> frames) {
-		return new Clipping(share(
-			frames.stream().map(frame -> Pixels.doubles(movie.frame(frame - 1))).toList()),
+		return new Clipping(
+			share(frames.stream().map(frame -> Pixels.doubles(movie.frame(frame - 1))).toList()),
 			CLIPPED);
 	}
 
@@ -73,8 +73,8 @@ record Clipping(double share, double most) {
 			.max(Comparator.comparingInt(MaskObject::pixels));
 		return IntStream.range(0, evidence.size())
 			.filter(i -> parts.at(evidence.x(i), evidence.y(i)).equals(longest))
-			.mapToDouble(i -> largest(image,
-				pixels.out(new Point(evidence.x(i), evidence.y(i))), pixels.binning(), sign))
+			.mapToDouble(i -> largest(image, pixels.out(new Point(evidence.x(i), evidence.y(i))),
+				pixels.binning(), sign))
 			.toArray();
 	}
 

@@ -73,8 +73,8 @@ final class EvidenceNotes {
 				"Saturated: %.0f %% of the lines' length has the largest brightness; strands that cross are taken to be no brighter than one.",
 				100 * clipping.share()));
 		if (blank > 0)
-			notes.add("Blank frames: " + blank + ", dark or bright throughout, " + (blank == 1 ? "is" : "are")
-				+ " left out; frames.csv says which.");
+			notes.add("Blank frames: " + blank + ", dark or bright throughout, "
+				+ (blank == 1 ? "is" : "are") + " left out; frames.csv says which.");
 		return notes;
 	}
 
@@ -88,7 +88,7 @@ final class EvidenceNotes {
 		final int[] lengths = frame.evidence().stream()
 			.flatMap(e -> ConnectedComponents.of(e.skeleton()).objects().stream())
 			.mapToInt(MaskObject::pixels).sorted().toArray();
-		return (int) Arrays.stream(lengths)
-			.filter(n -> n > OBJECT * lengths[lengths.length - 1]).count();
+		return (int) Arrays.stream(lengths).filter(n -> n > OBJECT * lengths[lengths.length - 1])
+			.count();
 	}
 }

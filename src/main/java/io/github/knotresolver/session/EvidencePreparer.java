@@ -89,7 +89,9 @@ final class EvidencePreparer {
 		final float[] background = Background.of(part, box.width(), lines);
 		final double[] light = new double[part.length];
 		for (int i = 0; i < light.length; i++)
-			light[i] = Float.isFinite(part[i]) ? a.polarity().sign() * (part[i] - background[i]) : 0;
+			light[i] = Float.isFinite(part[i])
+				? a.polarity().sign() * (part[i] - background[i])
+				: 0;
 		return new NormalizedFrame(box.width(), box.height(), light);
 	}
 }

@@ -50,8 +50,8 @@ public record FrameChoice(Movie movie, Settings parameters) {
 	private void requireInside(final String what, final Point place) {
 		if (!(place.x() >= -0.5 && place.x() <= movie.width() - 0.5 && place.y() >= -0.5
 			&& place.y() <= movie.height() - 0.5))
-			throw new UserException(what + " must lie inside the image of "
-				+ movie.width() + " x " + movie.height() + " pixels, but is " + place + ".");
+			throw new UserException(what + " must lie inside the image of " + movie.width() + " x "
+				+ movie.height() + " pixels, but is " + place + ".");
 	}
 
 	/** Of a contour both ends must be in the picture, of places all; a refused contour may be anywhere. */

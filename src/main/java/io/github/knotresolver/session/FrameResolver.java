@@ -92,8 +92,8 @@ final class FrameResolver {
 
 	private Optional<FitSolver> solver(final Workers workers, final Progress progress) {
 		if (solver.isEmpty())
-			solver = Optional.of(fits(generator(), workers, progress).learn(frames, fixedEnd,
-				parameters.length()));
+			solver = Optional.of(
+				fits(generator(), workers, progress).learn(frames, fixedEnd, parameters.length()));
 		return solver.get();
 	}
 
@@ -133,8 +133,9 @@ final class FrameResolver {
 			? ObjectFollower.follow(masks, fixedEnd)
 			: ObjectFollower.followClamped(masks, fixedEnd, REACH);
 		return workers.map(frames.size(),
-			t -> new FrameGraph(frames.get(t).frame(), found.get(t).map(m -> SkeletonGraph.of(
-				skeleton(frames.get(t), m), SkeletonGraph.DEFAULT_SPUR_LENGTH, List.of(fixedEnd)))));
+			t -> new FrameGraph(frames.get(t).frame(),
+				found.get(t).map(m -> SkeletonGraph.of(skeleton(frames.get(t), m),
+					SkeletonGraph.DEFAULT_SPUR_LENGTH, List.of(fixedEnd)))));
 	}
 
 	/** The middle line of an object: the evidence's, if there is one. */
@@ -163,8 +164,8 @@ final class FrameResolver {
 	private static Found merged(final Found track, final Refined fits) {
 		final List<Observation> frames = new ArrayList<>();
 		for (final Observation f : track.frames)
-			frames.add(
-				f.status() == FrameStatus.CORRECTED || !fits.contours().containsKey(f.frame())
+			frames
+				.add(f.status() == FrameStatus.CORRECTED || !fits.contours().containsKey(f.frame())
 					? f
 					: f.withContour(fits.contours().get(f.frame())));
 		return new Found(fits.estimate().fixedEnd(), fits.estimate().length(),

@@ -59,8 +59,8 @@ record PreparedMovie(List<FrameView> frames, WorkingPixels pixels, List<Observat
 	}
 
 	/** The movie with bright lines; the published method does not look whether they are dark. */
-	static Movie bright(final Movie movie, final Settings parameters,
-		final List<Integer> frames, final Workers workers, final Progress progress) {
+	static Movie bright(final Movie movie, final Settings parameters, final List<Integer> frames,
+		final Workers workers, final Progress progress) {
 		Polarity polarity = parameters.segmentation().polarity();
 		if (polarity == Polarity.AUTO && !parameters.isPublished())
 			polarity = new AppearanceFinder(workers, progress).polarity(movie, frames);

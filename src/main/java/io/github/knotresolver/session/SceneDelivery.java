@@ -29,21 +29,21 @@ final class SceneDelivery {
 		final Function<List<Observation>, List<Observation>> everyFrame) {
 		final List<FilamentTrack> tracks = new ArrayList<>();
 		for (final Filament f : scene.filaments())
-			tracks.add(new FilamentTrack(tracks.size() + 1,
-				f.clamped() ? Anchor.CLAMPED : Anchor.FREE,
-				f.clamped() ? fixedEnd(f) : Optional.empty(), f.length(), f.lengthError(),
-				everyFrame.apply(f.frames())));
+			tracks.add(
+				new FilamentTrack(tracks.size() + 1, f.clamped() ? Anchor.CLAMPED : Anchor.FREE,
+					f.clamped() ? fixedEnd(f) : Optional.empty(), f.length(), f.lengthError(),
+					everyFrame.apply(f.frames())));
 		return tracks;
 	}
 
 	/** Where the held end is: the median of the contours' first points. */
 	static Optional<Point> fixedEnd(final Filament filament) {
-		final List<Point> starts = filament.frames().stream()
-			.flatMap(o -> o.contour().stream()).map(c -> c.first()).toList();
+		final List<Point> starts = filament.frames().stream().flatMap(o -> o.contour().stream())
+			.map(c -> c.first()).toList();
 		return starts.isEmpty()
 			? Optional.empty()
-			: Optional.of(new Point(
-				new Median().evaluate(starts.stream().mapToDouble(Point::x).toArray()),
-				new Median().evaluate(starts.stream().mapToDouble(Point::y).toArray())));
+			: Optional.of(
+				new Point(new Median().evaluate(starts.stream().mapToDouble(Point::x).toArray()),
+					new Median().evaluate(starts.stream().mapToDouble(Point::y).toArray())));
 	}
 }

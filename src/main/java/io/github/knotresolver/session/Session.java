@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-import io.github.knotresolver.model.FilamentChoice;
 import io.github.knotresolver.model.Constraint;
+import io.github.knotresolver.model.FilamentChoice;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Region;
 import io.github.knotresolver.model.Settings;

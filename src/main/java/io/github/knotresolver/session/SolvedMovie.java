@@ -9,8 +9,8 @@ import java.util.Optional;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.model.AnchorChoice;
 import io.github.knotresolver.model.Anchor;
+import io.github.knotresolver.model.AnchorChoice;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.FrameStatus;
@@ -53,10 +53,9 @@ final class SolvedMovie {
 	 *
 	 * @param wanted 1-based numbers of the frames to resolve, in order
 	 */
-	static SolvedMovie look(final Movie movie, final Settings settings,
-		final List<Integer> wanted, final Workers workers, final Progress progress) {
-		final PreparedMovie prepared = PreparedMovie.of(movie, settings, wanted, workers,
-			progress);
+	static SolvedMovie look(final Movie movie, final Settings settings, final List<Integer> wanted,
+		final Workers workers, final Progress progress) {
+		final PreparedMovie prepared = PreparedMovie.of(movie, settings, wanted, workers, progress);
 		if (prepared.frames().isEmpty())
 			throw nothingFound(movie);
 		final Optional<SceneTracks> scene = scene(prepared, settings, workers, progress);
@@ -70,8 +69,7 @@ final class SolvedMovie {
 	private static Optional<SceneTracks> scene(final PreparedMovie prepared,
 		final Settings settings, final Workers workers, final Progress progress) {
 		final boolean free = settings.anchor() == AnchorChoice.FREE;
-		if (!settings.deliversAll()
-			|| !free && SingleFilament.isClampedAlone(prepared.frames()))
+		if (!settings.deliversAll() || !free && SingleFilament.isClampedAlone(prepared.frames()))
 			return Optional.empty();
 		return new SceneResolver(prepared.kinds(), workers, progress)
 			.resolve(prepared.frames(), settings.anchor())
@@ -125,8 +123,8 @@ final class SolvedMovie {
 	}
 
 	/** The one filament that is clamped. */
-	private FilamentTrack one(final Settings told, final List<String> notes,
-		final Workers workers, final Progress progress) {
+	private FilamentTrack one(final Settings told, final List<String> notes, final Workers workers,
+		final Progress progress) {
 		told.constraints().forEach(c -> requireFilament(c, 1));
 		final Found found = single.orElseThrow()
 			.resolve(prepared.pixels().in(told.constraints()), workers, progress)

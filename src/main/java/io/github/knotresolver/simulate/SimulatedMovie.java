@@ -47,8 +47,8 @@ public record SimulatedMovie(Movie movie, List<Polyline> truth) {
 		final List<Polyline> truth = canvas.truth(trajectory);
 		final long pixels = (long) canvas.width() * canvas.height() * truth.size();
 		if (pixels > MOST_PIXELS)
-			throw new UserException("frames are too many for one movie: " + truth.size()
-				+ " of " + canvas.width() + " x " + canvas.height()
+			throw new UserException("frames are too many for one movie: " + truth.size() + " of "
+				+ canvas.width() + " x " + canvas.height()
 				+ " pixels, more than 2000 million pixels; choose fewer frames or larger pixels.");
 		final Img<? extends IntegerType<?>> frames = blank(canvas, truth.size(), depth);
 		final Cursor<? extends IntegerType<?>> pixel = frames.cursor();

@@ -65,7 +65,8 @@ public final class AppearanceFinder {
 			int left = width, right = 0, top = height, bottom = 0;
 			for (final Look look : looks)
 				for (final int at : look.places) {
-					final int x = at % (width / binning) * binning, y = at / (width / binning) * binning;
+					final int x = at % (width / binning) * binning,
+						y = at / (width / binning) * binning;
 					left = Math.min(left, x);
 					right = Math.max(right, x + binning);
 					top = Math.min(top, y);
@@ -108,9 +109,8 @@ public final class AppearanceFinder {
 		final Polarity sign = polarity == Polarity.AUTO ? vote.polarity() : polarity;
 		return new Found(
 			measured(LineAppearance.of(sign, vote.sigma(sign)), new Sample(calm, movie.width())),
-			polarity == Polarity.AUTO && vote.isDoubtful(sign),
-			Enlargement.of(Pixels.floats(movie.frame(frames.get(frames.size() / 2) - 1)),
-				movie.width()));
+			polarity == Polarity.AUTO && vote.isDoubtful(sign), Enlargement
+				.of(Pixels.floats(movie.frame(frames.get(frames.size() / 2) - 1)), movie.width()));
 	}
 
 	/**
@@ -125,15 +125,15 @@ public final class AppearanceFinder {
 	private List<float[]> calm(final Movie movie, final List<Integer> frames) {
 		progress.report("Looking at the movie", 0);
 		final List<Integer> few = spread(frames, movie.width() * movie.height());
-		return workers.map(few.size(), i -> HotPixels
-			.clip(Pixels.floats(movie.frame(few.get(i) - 1)), movie.width()));
+		return workers.map(few.size(),
+			i -> HotPixels.clip(Pixels.floats(movie.frame(few.get(i) - 1)), movie.width()));
 	}
 
 	private static List<Integer> spread(final List<Integer> frames, final int pixels) {
 		final int count = Math.min(frames.size(),
 			Math.max(FEWEST, Math.min(MOST, (int) (PIXELS / pixels))));
-		return IntStream.range(0, count)
-			.mapToObj(i -> frames.get(count == 1 ? 0 : (int) ((long) i * (frames.size() - 1) / (count - 1))))
+		return IntStream.range(0, count).mapToObj(
+			i -> frames.get(count == 1 ? 0 : (int) ((long) i * (frames.size() - 1) / (count - 1))))
 			.toList();
 	}
 
@@ -158,7 +158,8 @@ public final class AppearanceFinder {
 		final double width = CrossProfile.width(looks.stream().map(Look::profile).toList());
 		if (Double.isNaN(width))
 			return before;
-		final double factor = Math.min(Math.max(width / LineAppearance.FULL_WIDTH, LEAST_FACTOR), FACTOR);
+		final double factor = Math.min(Math.max(width / LineAppearance.FULL_WIDTH, LEAST_FACTOR),
+			FACTOR);
 		return LineAppearance.of(before.polarity(), factor * before.sigma());
 	}
 
@@ -180,7 +181,8 @@ public final class AppearanceFinder {
 		return new Look(CrossProfile.of(ridges, all),
 			median(Arrays.stream(all).mapToDouble(ridges::z).toArray()),
 			median(Arrays.stream(EvidenceFinder.inside(line, longest)).mapToDouble(ridges::strength)
-				.toArray()), all);
+				.toArray()),
+			all);
 	}
 
 	/** @return the median; 0 of nothing */

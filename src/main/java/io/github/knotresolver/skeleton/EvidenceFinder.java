@@ -85,12 +85,12 @@ public final class EvidenceFinder {
 		ends.trim(line);
 		final boolean[] edges = edges(ridges);
 		final int longest = LineParts.of(line).stream().mapToInt(p -> p.length).max().orElse(0);
-		LineParts.keep(line, part -> part.length >= BEFORE_JOINING * s
-			&& LineParts.count(part, at -> edges[at]) <= EDGE * part.length
-			&& !(part.length < Math.min(CHAIN * s, longest) && isOfBeads(part, ridges)));
-		new GapJoiner(ridges).join(line);
 		LineParts.keep(line,
-			part -> part.length >= SHORTEST * s && Surety.of(part, ridges) > SURE);
+			part -> part.length >= BEFORE_JOINING * s
+				&& LineParts.count(part, at -> edges[at]) <= EDGE * part.length
+				&& !(part.length < Math.min(CHAIN * s, longest) && isOfBeads(part, ridges)));
+		new GapJoiner(ridges).join(line);
+		LineParts.keep(line, part -> part.length >= SHORTEST * s && Surety.of(part, ridges) > SURE);
 		return line;
 	}
 

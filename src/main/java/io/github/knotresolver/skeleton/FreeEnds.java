@@ -74,6 +74,7 @@ final class FreeEnds {
 		Arrays.sort(part);
 		final double place = QUANTILE * (part.length - 1);
 		final int below = (int) place;
-		return part[below] + (place - below) * (part[Math.min(below + 1, part.length - 1)] - part[below]);
+		return part[below]
+			+ (place - below) * (part[Math.min(below + 1, part.length - 1)] - part[below]);
 	}
 }

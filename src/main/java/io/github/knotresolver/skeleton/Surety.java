@@ -29,8 +29,6 @@ final class Surety {
 		double sum = 0;
 		for (final int at : places)
 			sum += ridges.z(at);
-		return places.length == 0
-			? 0
-			: of(sum / places.length, places.length, ridges.appearance());
+		return places.length == 0 ? 0 : of(sum / places.length, places.length, ridges.appearance());
 	}
 }

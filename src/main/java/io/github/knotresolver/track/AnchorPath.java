@@ -45,8 +45,7 @@ record AnchorPath(List<Point> places, double[] weights) {
 
 	/** Standard deviations (pixels) of an end as a fit of an open frame, any fit
 	 * and a skeleton say. */
-	private static final double LIGHT_NOISE = 0.3, FIT_NOISE = 0.5,
-		SKELETON_NOISE = 1.5;
+	private static final double LIGHT_NOISE = 0.3, FIT_NOISE = 0.5, SKELETON_NOISE = 1.5;
 
 	AnchorPath {
 		places = List.copyOf(places);
@@ -130,9 +129,9 @@ record AnchorPath(List<Point> places, double[] weights) {
 	/** Whether places, in order of time, are more than a few wrong ones around one place. */
 	private static boolean moves(final List<Point> all, final double spread) {
 		final Point middle = middle(all);
-		final double[] off = all.stream().mapToDouble(p -> p.distanceTo(middle)).sorted()
-			.toArray();
-		return off[off.length / 2] > spread || off[(int) (FAR_SHARE * (off.length - 1))] > 2 * spread;
+		final double[] off = all.stream().mapToDouble(p -> p.distanceTo(middle)).sorted().toArray();
+		return off[off.length / 2] > spread
+			|| off[(int) (FAR_SHARE * (off.length - 1))] > 2 * spread;
 	}
 
 	private static Point middle(final List<Point> all) {

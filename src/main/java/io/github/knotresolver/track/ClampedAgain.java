@@ -68,15 +68,14 @@ final class ClampedAgain {
 
 	private Optional<Settled> follow(final List<FrameView> frames, final Point clamp) {
 		return new FitResolver(TrailCandidates.DEFAULT, Set.of(line.tables().model().kind()),
-			LengthModel.AUTO, workers, progress)
-				.learn(frames, clamp, OptionalDouble.empty())
-				.map(s -> s.solve(List.of(), workers, progress)).flatMap(ClampedAgain::settled);
+			LengthModel.AUTO, workers, progress).learn(frames, clamp, OptionalDouble.empty())
+			.map(s -> s.solve(List.of(), workers, progress)).flatMap(ClampedAgain::settled);
 	}
 
 	/** The frames with the light of one filament only. */
 	List<FrameView> alone(final ScenePass pass, final int k) {
-		return workers.map("Taking the other filaments' light off", progress,
-			line.frames().size(), t -> without(pass, k, t));
+		return workers.map("Taking the other filaments' light off", progress, line.frames().size(),
+			t -> without(pass, k, t));
 	}
 
 	private FrameView without(final ScenePass pass, final int k, final int t) {
@@ -100,8 +99,8 @@ final class ClampedAgain {
 		final int links = Chain.linksInScene(found.estimate().length());
 		final List<Chain> chains = new ArrayList<>();
 		final double[] gap = new double[found.frames().size()];
-		Polyline last = found.frames().stream().map(Observation::contour)
-			.flatMap(Optional::stream).findFirst().orElse(null);
+		Polyline last = found.frames().stream().map(Observation::contour).flatMap(Optional::stream)
+			.findFirst().orElse(null);
 		if (last == null)
 			return Optional.empty();
 		for (int t = 0; t < gap.length; t++) {

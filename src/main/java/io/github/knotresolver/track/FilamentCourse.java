@@ -47,10 +47,8 @@ record FilamentCourse(FilamentEstimate estimate, AnchorPath anchor, LengthCourse
 			notes.add(String.format(Locale.ROOT,
 				"The fixed end moves by up to %.1f px; it was followed from frame to frame.",
 				anchor.range()));
-		final int first = frames.get(0).frame(),
-			last = frames.get(frames.size() - 1).frame();
-		final double perFrame = length.rate() * (frames.size() - 1)
-			/ Math.max(1, last - first);
+		final int first = frames.get(0).frame(), last = frames.get(frames.size() - 1).frame();
+		final double perFrame = length.rate() * (frames.size() - 1) / Math.max(1, last - first);
 		final double begin = length.of(0), end = length.of(frames.size() - 1);
 		final String steady = String.format(Locale.ROOT, "%s by %.3f px per frame",
 			perFrame > 0 ? "grows" : "shrinks", Math.abs(perFrame));
@@ -63,8 +61,8 @@ record FilamentCourse(FilamentEstimate estimate, AnchorPath anchor, LengthCourse
 			case STEADY -> notes.add(String.format(Locale.ROOT,
 				"The filament %s, from %.1f to %.1f px.", steady, begin, end));
 			case BROKEN -> notes.add("The filament " + broken + ".");
-			case STEADY_AND_BROKEN -> notes
-				.add("The filament " + broken + ", and " + steady + " besides.");
+			case STEADY_AND_BROKEN ->
+				notes.add("The filament " + broken + ", and " + steady + " besides.");
 			case WANDERING -> notes.add(String.format(Locale.ROOT,
 				"The filament's length changes, from %.1f px in frame %d to %.1f px in frame %d.",
 				begin, first, end, last));

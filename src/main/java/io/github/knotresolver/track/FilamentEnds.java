@@ -99,8 +99,8 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid) {
 		for (int i = 0; i < distances.length; i++) {
 			double nearest = Double.POSITIVE_INFINITY;
 			for (int k = 0; k + 1 < before.size(); k++)
-				nearest = Math.min(nearest, after.point(i)
-					.distanceToSegment(before.point(k), before.point(k + 1)));
+				nearest = Math.min(nearest,
+					after.point(i).distanceToSegment(before.point(k), before.point(k + 1)));
 			distances[i] = nearest;
 		}
 		return median(distances);

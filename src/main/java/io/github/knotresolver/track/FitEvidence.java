@@ -31,11 +31,11 @@ public record FitEvidence(double rival, double misfit, double pattern, double da
 	/** Names of the figures, in order. */
 	public static final String NAMES = "rival,misfit,pattern,dark,unexplained,invented,beyond,missing,uncovered,jump";
 
-	private static final String[] WORDS = {
-		"a different contour explains the movie nearly as well",
+	private static final String[] WORDS = {"a different contour explains the movie nearly as well",
 		"the contour explains this frame worse than others are explained",
 		"light around the contour differs from what is expected, beyond noise",
-		"parts of the contour run in the dark", "there is a line near the contour that is not on it",
+		"parts of the contour run in the dark",
+		"there is a line near the contour that is not on it",
 		"the contour crosses or runs along places that are darker than expected",
 		"light goes on beyond an end of the contour", "the contour's tip is in the dark",
 		"the contour leaves out parts of the object that it touches",

@@ -26,8 +26,7 @@ record FitLook(FitQuality quality, Residue residue, double beyond, double missin
 		final EndLight ends = new EndLight(light, model, light.noise());
 		final EndLight.Piece last = ends.beforeTip(chain);
 		return new FitLook(FitQuality.of(light, model, chain), Residue.of(light, model, chain),
-			ends.beyond(chain),
-			last.isSeen() ? Math.max(0, Math.min(1, 1 - last.brightness())) : 0,
+			ends.beyond(chain), last.isSeen() ? Math.max(0, Math.min(1, 1 - last.brightness())) : 0,
 			Uncovered.share(frame.graph(), chain.contour()));
 	}
 }

@@ -32,8 +32,7 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 
 	private FilamentFitter fitter(final int t, final FitSettings weights) {
 		return new FilamentFitter(light.get(t), course.estimate().model(), links(),
-			Optional.of(course.anchor().at(t)),
-			weights.withClampWeight(course.anchor().weight(t)));
+			Optional.of(course.anchor().at(t)), weights.withClampWeight(course.anchor().weight(t)));
 	}
 
 	private int links() {

@@ -28,7 +28,6 @@ import io.github.knotresolver.geometry.Polyline;
  */
 record FitProposals(FrameView frame, FilamentEstimate estimate, int links, boolean freeLength) {
 
-
 	/** So many of the cheapest candidates are drawn ... */
 	private static final int DRAWN = 12;
 
@@ -51,9 +50,8 @@ record FitProposals(FrameView frame, FilamentEstimate estimate, int links, boole
 		final Predicate<Polyline> wanted) {
 		final FitPool pool = new FitPool();
 		set.candidates().stream().map(ContourBuilder::smooth).filter(wanted).limit(DRAWN)
-			.map(c -> start(c, estimate.fixedEnd()))
-			.forEach(start -> pool.add(
-				fitter.fit(stiff.fit(start, Optional.empty()).chain(), Optional.empty())));
+			.map(c -> start(c, estimate.fixedEnd())).forEach(start -> pool
+				.add(fitter.fit(stiff.fit(start, Optional.empty()).chain(), Optional.empty())));
 		return pool.fits();
 	}
 

@@ -121,13 +121,15 @@ public final class FitResolver {
 		final List<NormalizedFrame> light = light(seen.frames, seen.course.estimate());
 		final int links = FilamentEstimator.links(seen.course.estimate().length());
 		final List<Fit> fits = workers.map("Fitting the contours", progress, seen.frames.size(),
-			t -> new FitProposals(seen.frames.get(t), seen.course.in(t), links, settings().freeLength()).of(
-				contours.get(seen.frames.get(t).frame()), fitter(t, light, seen.course, settings()))
+			t -> new FitProposals(seen.frames.get(t), seen.course.in(t), links,
+				settings().freeLength())
+				.of(contours.get(seen.frames.get(t).frame()),
+					fitter(t, light, seen.course, settings()))
 				.get(0));
 		final Map<Integer, Polyline> fitted = new TreeMap<>();
 		for (int t = 0; t < fits.size(); t++)
-			if (FitTrellis.isTrusted(FitQuality.of(light.get(t), seen.course.estimate().model(),
-				fits.get(t).chain())))
+			if (FitTrellis.isTrusted(
+				FitQuality.of(light.get(t), seen.course.estimate().model(), fits.get(t).chain())))
 				fitted.put(seen.frames.get(t).frame(), fits.get(t).chain().contour());
 		return new Refined(seen.course.estimate(), fitted);
 	}
@@ -139,8 +141,7 @@ public final class FitResolver {
 	private Optional<Seen> look(final List<FrameView> frames, final Point fixedEnd,
 		final OptionalDouble length) {
 		final AnchorPath ends = AnchorPath.follow(frames, fixedEnd, progress);
-		final List<CandidateSet> first = candidates(frames, ends::at,
-			t -> OptionalDouble.empty());
+		final List<CandidateSet> first = candidates(frames, ends::at, t -> OptionalDouble.empty());
 		final StrandLight strands = StrandLight.of(frames, first);
 		final List<FrameView> steady = withoutBleaching(calmed(frames, strands), strands);
 		final List<Sighting> sightings = Sightings.choose(steady, first);
@@ -229,8 +230,9 @@ public final class FitResolver {
 	private List<CandidateSet> candidates(final List<FrameView> frames,
 		final IntFunction<Point> fixedEnds, final IntFunction<OptionalDouble> known) {
 		return workers.map("Proposing contours", progress, frames.size(),
-			t -> generator.generate(CandidateQuery.of(frames.get(t).graph(), fixedEnds.apply(t),
-				known.apply(t)), progress));
+			t -> generator.generate(
+				CandidateQuery.of(frames.get(t).graph(), fixedEnds.apply(t), known.apply(t)),
+				progress));
 	}
 
 	private List<List<Fit>> proposals(final List<FrameView> frames,
@@ -257,8 +259,7 @@ public final class FitResolver {
 		final Propagation propagation = new Propagation(FitSolver.WIDTH,
 			MotionPrice.learn(proposals, course.anchor()),
 			t -> fitter(t, light, course, settings()), proposals,
-			new Propagation.Frames(course, settings().freeLength()),
-			progress);
+			new Propagation.Frames(course, settings().freeLength()), progress);
 		final List<List<List<Fit>>> walks = workers.map(2, direction -> propagation
 			.walk(IntStream.range(0, n).map(i -> direction == 0 ? i : n - 1 - i).toArray()));
 		final List<List<Fit>> pools = new ArrayList<>();

@@ -10,7 +10,6 @@ import java.util.concurrent.ConcurrentHashMap;
 
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.model.Constraint;
-import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.track.FitResolver.Resolved;
@@ -54,10 +53,10 @@ public final class FitSolver {
 		consider(said, workers, progress);
 		final List<List<Fit>> fits = fits(said);
 		final FilamentCourse course = pools.course();
-		final FitTrellis.Solved solved = new FitTrellis(pools.frames(), pools.light(), course,
-			fits, pools.sets(), this::look).solve(said, progress);
-		return new Resolved(course.estimate(), solved.frames(), solved.evidence(), course
-			.withLength(course.length().settled(solved.lengths())).notes(pools.frames()));
+		final FitTrellis.Solved solved = new FitTrellis(pools.frames(), pools.light(), course, fits,
+			pools.sets(), this::look).solve(said, progress);
+		return new Resolved(course.estimate(), solved.frames(), solved.evidence(),
+			course.withLength(course.length().settled(solved.lengths())).notes(pools.frames()));
 	}
 
 	private SortedMap<Integer, Restriction> byFrame(final List<Constraint> constraints) {

@@ -63,9 +63,11 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 		final List<double[]> prices = pools.stream()
 			.map(p -> p.stream().mapToDouble(Fit::energy).toArray()).toList();
 		final MotionPrice motion = MotionPrice.learn(pools, course.anchor());
-		final TrellisPath path = Trellis.solve(prices, (t, i, u, j) -> motion.between(
-			course.anchor().carried(pools.get(t).get(i).chain(), t, u),
-			pools.get(u).get(j).chain()), progress);
+		final TrellisPath path = Trellis.solve(prices,
+			(t, i, u, j) -> motion.between(
+				course.anchor().carried(pools.get(t).get(i).chain(), t, u),
+				pools.get(u).get(j).chain()),
+			progress);
 		final List<Optional<FitLook>> seen = new ArrayList<>();
 		for (int t = 0; t < pools.size(); t++) {
 			progress.checkCancelled();
@@ -85,8 +87,9 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 				Optional.ofNullable(said.get(t))));
 		}
 		return new Solved(tracked, evidence,
-			IntStream.range(0, pools.size()).mapToDouble(
-				t -> path.choice()[t] < 0 ? Double.NaN : chosen(t, path).chain().length())
+			IntStream.range(0, pools.size())
+				.mapToDouble(
+					t -> path.choice()[t] < 0 ? Double.NaN : chosen(t, path).chain().length())
 				.toArray());
 	}
 
@@ -97,8 +100,7 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 		final Optional<Polyline> given = said.flatMap(Restriction::contour);
 		if (given.isPresent())
 			return new Observation(frame, FrameStatus.CORRECTED, "Given by the user.",
-				Optional.of(
-					evidence.isEmpty() ? given.get() : chosen(t, path).chain().contour()),
+				Optional.of(evidence.isEmpty() ? given.get() : chosen(t, path).chain().contour()),
 				junctions(t), 1, evidence.isEmpty() ? 0 : chosen(t, path).energy(), 1);
 		if (said.isPresent() && pools.get(t).isEmpty())
 			return Observation.without(frame, FrameStatus.UNRESOLVED, said.get().unmet());
@@ -127,7 +129,7 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 			said.map(Restriction::met).orElse((doubt + " " + limit).trim()),
 			Optional.of(visible.contour()), junctions(t), pools.get(t).size(),
 			chosen(t, path).energy(), confidence).withVisible(visible.share())
-				.withAlternatives(alternatives(t, path));
+			.withAlternatives(alternatives(t, path));
 	}
 
 	/** The best of the other fits, at the price that the movie would have with them. */
@@ -161,9 +163,9 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 		double most = 1;
 		for (final int u : new int[]{t - 1, t + 1})
 			if (u >= 0 && u < pools.size() && path.choice()[u] >= 0)
-				most = Math.max(most, motion.multiple(
-					course.anchor().carried(chosen(t, path).chain(), t, u),
-					chosen(u, path).chain()));
+				most = Math.max(most,
+					motion.multiple(course.anchor().carried(chosen(t, path).chain(), t, u),
+						chosen(u, path).chain()));
 		return Math.log(most);
 	}
 

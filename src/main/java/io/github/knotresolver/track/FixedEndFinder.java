@@ -72,12 +72,12 @@ public final class FixedEndFinder {
 		if (paths.isEmpty())
 			return Optional.empty();
 		final double most = paths.get(0).votes();
-		final List<Contender> contenders = paths.stream()
-			.filter(p -> p.votes() >= CONTENDER * most).map(FixedEndFinder::contender).toList();
+		final List<Contender> contenders = paths.stream().filter(p -> p.votes() >= CONTENDER * most)
+			.map(FixedEndFinder::contender).toList();
 		final double stillest = contenders.stream().mapToDouble(Contender::together).max()
 			.orElse(0);
-		return contenders.stream().min(Comparator.comparingDouble(c -> price(c.path)
-			+ FEWER_VOTES * (2 - c.path.votes() / most - c.together / stillest)))
+		return contenders.stream().min(Comparator.comparingDouble(
+			c -> price(c.path) + FEWER_VOTES * (2 - c.path.votes() / most - c.together / stillest)))
 			.map(c -> place(c.path));
 	}
 
@@ -109,8 +109,7 @@ public final class FixedEndFinder {
 			final int t = (int) ((i + 0.5) * frames.size() / tries);
 			final FrameView frame = frames.get(t);
 			final List<Candidate> best = TRAILS
-				.generate(
-					CandidateQuery.of(frame.graph(), anchor.at(t), OptionalDouble.empty()),
+				.generate(CandidateQuery.of(frame.graph(), anchor.at(t), OptionalDouble.empty()),
 					progress)
 				.candidates();
 			sum += best.isEmpty() ? NO_TRAIL : best.get(0).price().total();

@@ -56,8 +56,8 @@ record Hypotheses(List<List<Chain>> passes, List<Integer> numbers) {
 				if (pair.agreeing >= FEWEST)
 					pairs.add(pair);
 			}
-		pairs.sort(Comparator.comparingInt(Pair::agreeing).reversed()
-			.thenComparingInt(Pair::mine).thenComparingInt(Pair::other));
+		pairs.sort(Comparator.comparingInt(Pair::agreeing).reversed().thenComparingInt(Pair::mine)
+			.thenComparingInt(Pair::other));
 		final boolean[] taken = new boolean[found.size()], given = new boolean[pass.filaments()];
 		for (final Pair p : pairs)
 			if (!taken[p.mine] && !given[p.other]) {

@@ -1,12 +1,12 @@
 package io.github.knotresolver.track;
 
-import io.github.knotresolver.geometry.RobustStatistics;
-
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+
+import io.github.knotresolver.geometry.RobustStatistics;
 
 /**
  * How long the filament is in every frame: the same in all, growing or shrinking steadily,
@@ -181,7 +181,8 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 		}
 
 		private LengthCourse steady() {
-			return unbroken(fill(new double[frames], 0, frames, line(0, known.length)), Kind.STEADY);
+			return unbroken(fill(new double[frames], 0, frames, line(0, known.length)),
+				Kind.STEADY);
 		}
 
 		private LengthCourse broken(final int first, final boolean steady) {
@@ -198,7 +199,8 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 			Arrays.fill(others, Double.NaN);
 			fill(others, seen[first - 1] + 1, at, after);
 			fill(others, at, seen[first], before);
-			return new LengthCourse(lengths, others, steady ? Kind.STEADY_AND_BROKEN : Kind.BROKEN, at);
+			return new LengthCourse(lengths, others, steady ? Kind.STEADY_AND_BROKEN : Kind.BROKEN,
+				at);
 		}
 
 		private LengthCourse wandering() {

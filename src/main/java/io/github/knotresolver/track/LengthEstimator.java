@@ -1,16 +1,16 @@
 package io.github.knotresolver.track;
 
-import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.geometry.RobustStatistics;
-import io.github.knotresolver.graph.RootedGraph;
-import io.github.knotresolver.graph.SkeletonGraph;
-
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 
 import org.apache.commons.math3.stat.descriptive.rank.Median;
+
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.RobustStatistics;
+import io.github.knotresolver.graph.RootedGraph;
+import io.github.knotresolver.graph.SkeletonGraph;
 
 /**
  * The filament's length from the frames in which it does not cross itself: the median

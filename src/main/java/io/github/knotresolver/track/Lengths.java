@@ -1,12 +1,12 @@
 package io.github.knotresolver.track;
 
-import io.github.knotresolver.fit.FilamentEstimate;
-import io.github.knotresolver.geometry.RobustStatistics;
-import io.github.knotresolver.track.OpenFrames.Seen;
-
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+
+import io.github.knotresolver.fit.FilamentEstimate;
+import io.github.knotresolver.geometry.RobustStatistics;
+import io.github.knotresolver.track.OpenFrames.Seen;
 
 /**
  * What open frames say about the filament's length. A frame in which an end is outside the
@@ -54,15 +54,15 @@ record Lengths(double[] whole, double longestCut, double cutShare,
 	/** An estimate with the longest length that the filament has. */
 	FilamentEstimate settle(final FilamentEstimate estimate) {
 		if (changing.isPresent())
-			return estimate
-				.withLength(Arrays.stream(changing.get().lengths()).max().orElse(estimate.length()));
+			return estimate.withLength(
+				Arrays.stream(changing.get().lengths()).max().orElse(estimate.length()));
 		if (cutShare <= FEW)
 			return estimate;
 		if (whole.length < FEWEST)
 			return estimate.withLength(Math.max(estimate.length(), longestCut));
 		final double middle = median(whole);
-		final double[] good = Arrays.stream(whole)
-			.filter(l -> Math.abs(l / middle - 1) < OUTLIER).toArray();
+		final double[] good = Arrays.stream(whole).filter(l -> Math.abs(l / middle - 1) < OUTLIER)
+			.toArray();
 		final double length = median(good);
 		final double spread = median(Arrays.stream(good).map(l -> Math.abs(l - length)).toArray());
 		return estimate.withLength(length, MEDIAN_ERROR * spread / Math.sqrt(good.length));

@@ -70,8 +70,8 @@ record OpenFrames(List<Seen> seen) {
 		final List<Optional<Seen>> seen = workers.map("Looking at open frames", progress,
 			frames.size(), t -> sets.get(t).candidates().stream().findFirst()
 				.filter(OpenFrames::isOpen).flatMap(c -> fitted(t, frames, light, c, estimate)));
-		return new OpenFrames(seen.stream().flatMap(Optional::stream).filter(Objects::nonNull)
-			.toList());
+		return new OpenFrames(
+			seen.stream().flatMap(Optional::stream).filter(Objects::nonNull).toList());
 	}
 
 	private static boolean isOpen(final Candidate best) {
@@ -91,8 +91,9 @@ record OpenFrames(List<Seen> seen) {
 		final FilamentFitter fitter = new FilamentFitter(frame, estimate.model(), links,
 			Optional.empty(), FitSettings.ENDS_FREE);
 		final EndLight ends = new EndLight(frame, estimate.model(), frame.noise());
-		final Chain first = fitter.fit(new FilamentFitter(frame, estimate.model(), links,
-			Optional.empty(), FitSettings.ENDS_FREE.roughAndStiff(FitSettings.START_STIFFNESS))
+		final Chain first = fitter.fit(
+			new FilamentFitter(frame, estimate.model(), links, Optional.empty(),
+				FitSettings.ENDS_FREE.roughAndStiff(FitSettings.START_STIFFNESS))
 				.fit(Chain.along(contour, links, contour.length()), Optional.empty()).chain(),
 			Optional.empty()).chain();
 		final Chain settled = ends.settled(first);

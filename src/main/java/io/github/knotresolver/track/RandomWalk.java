@@ -35,8 +35,8 @@ record RandomWalk(double[] mean, double[] sd) {
 	 * @param noise standard deviation of what is known, above 0, in each frame
 	 */
 	static RandomWalk through(final double[] seen, final double[] noise) {
-		final int[] known = IntStream.range(0, seen.length)
-			.filter(t -> Double.isFinite(seen[t])).toArray();
+		final int[] known = IntStream.range(0, seen.length).filter(t -> Double.isFinite(seen[t]))
+			.toArray();
 		if (known.length == 0)
 			throw new IllegalArgumentException("A random walk needs at least one known value.");
 		final double least = Arrays.stream(known).mapToDouble(t -> noise[t]).min().orElse(1);

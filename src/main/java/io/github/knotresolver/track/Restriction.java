@@ -64,8 +64,7 @@ record Restriction(List<Constraint> constraints, double sigma) {
 	private static double distance(final Polyline contour, final Point place) {
 		double nearest = Double.POSITIVE_INFINITY;
 		for (int i = 1; i < contour.size(); i++)
-			nearest = Math.min(nearest,
-				distance(contour.point(i - 1), contour.point(i), place));
+			nearest = Math.min(nearest, distance(contour.point(i - 1), contour.point(i), place));
 		return nearest;
 	}
 

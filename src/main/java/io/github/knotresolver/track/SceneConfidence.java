@@ -31,8 +31,7 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 
 	double value() {
 		final double explained = Math.exp(-Math.max(0, unexplained - HARMLESS) / SCALE);
-		final double steady = Math.min(1,
-			Math.max(LEAST, (HOPELESS - haste) / (HOPELESS - USUAL)));
+		final double steady = Math.min(1, Math.max(LEAST, (HOPELESS - haste) / (HOPELESS - USUAL)));
 		return (1 - Math.exp(-gap / GAP_SCALE)) * explained * (1 - dark) * steady;
 	}
 

@@ -51,8 +51,8 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 	static double brightness(final NormalizedFrame light, final Polyline curve) {
 		final int rim = curve.size() > 4 * RIM ? RIM : 0;
 		final double[] values = IntStream.range(rim, curve.size() - rim)
-			.mapToDouble(i -> light.meanAround(curve.x(i), curve.y(i)))
-			.filter(Double::isFinite).sorted().toArray();
+			.mapToDouble(i -> light.meanAround(curve.x(i), curve.y(i))).filter(Double::isFinite)
+			.sorted().toArray();
 		return values.length == 0 ? 0 : values[values.length / 2] / MEAN_OF_RIDGE;
 	}
 
@@ -76,7 +76,8 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 			.min(Comparator.comparingDouble(l -> doubt(l, open, crossed))).orElseThrow();
 		final List<FrameView> known = scaled.stream()
 			.map(f -> f.rescaled(line.background(), line.amplitude())).toList();
-		final double[] noise = known.stream().mapToDouble(f -> f.light().noise()).sorted().toArray();
+		final double[] noise = known.stream().mapToDouble(f -> f.light().noise()).sorted()
+			.toArray();
 		return new SceneLine(LineTables.together(line.model()), known, noise[noise.length / 2]);
 	}
 
@@ -84,9 +85,9 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		final int stride = 1 + (frames.size() - 1) / LOOK_AT;
 		final double[] values = IntStream.range(0, frames.size()).filter(t -> t % stride == 0)
 			.mapToObj(frames::get)
-			.flatMapToDouble(f -> f.graph().segments().stream().flatMapToDouble(s -> IntStream
-				.range(0, s.curve().size())
-				.mapToDouble(i -> f.light().meanAround(s.curve().x(i), s.curve().y(i)))))
+			.flatMapToDouble(f -> f.graph().segments().stream()
+				.flatMapToDouble(s -> IntStream.range(0, s.curve().size())
+					.mapToDouble(i -> f.light().meanAround(s.curve().x(i), s.curve().y(i)))))
 			.filter(Double::isFinite).sorted().toArray();
 		return values.length == 0
 			? 1

@@ -37,8 +37,8 @@ record ScenePass(int start, List<List<Chain>> chains) {
 		final List<List<Chain>> all = new ArrayList<>(Collections.nCopies(n, List.of()));
 		all.set(start, seed);
 		for (final int direction : new int[]{1, -1}) {
-			final SceneTracker tracker = new SceneTracker(line.tables(), weights,
-				line.noise(), seed);
+			final SceneTracker tracker = new SceneTracker(line.tables(), weights, line.noise(),
+				seed);
 			for (int t = start + direction; t >= 0 && t < n; t += direction) {
 				progress.checkCancelled();
 				all.set(t, tracker.step(line.frames().get(t)));
@@ -80,8 +80,8 @@ record ScenePass(int start, List<List<Chain>> chains) {
 	private static void refit(final Scene scene, final int k, final SceneWeights weights) {
 		final Chain before = scene.chain(k);
 		scene.take(k);
-		scene.put(k, scene.window(List.of(before)).fit(before, Optional.empty(), weights.tracked())
-			.chain());
+		scene.put(k,
+			scene.window(List.of(before)).fit(before, Optional.empty(), weights.tracked()).chain());
 	}
 
 	/** How far a filament usually moves from frame to frame, in pixels. */
@@ -107,9 +107,9 @@ record ScenePass(int start, List<List<Chain>> chains) {
 		double nearest = NEAR;
 		int which = -1;
 		for (int k = 0; k < filaments(); k++) {
-			final double[] distances = filament(k).stream()
-				.mapToDouble(c -> Math.min(c.start().distanceTo(place),
-					c.polyline().last().distanceTo(place))).sorted().toArray();
+			final double[] distances = filament(k).stream().mapToDouble(
+				c -> Math.min(c.start().distanceTo(place), c.polyline().last().distanceTo(place)))
+				.sorted().toArray();
 			if (distances[distances.length / 2] < nearest) {
 				nearest = distances[distances.length / 2];
 				which = k;

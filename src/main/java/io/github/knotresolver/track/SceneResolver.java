@@ -51,8 +51,7 @@ public final class SceneResolver {
 	 * @param anchor whether filaments are held at one end
 	 * @return all filaments; empty if there is none
 	 */
-	public Optional<SceneTracks> resolve(final List<FrameView> frames,
-		final AnchorChoice anchor) {
+	public Optional<SceneTracks> resolve(final List<FrameView> frames, final AnchorChoice anchor) {
 		return solve(frames).map(s -> SceneTracks.of(s.line, s.filaments, anchor));
 	}
 
@@ -84,9 +83,8 @@ public final class SceneResolver {
 		final List<Priced> passes = passes(line, weights, seeds);
 		return passes.isEmpty()
 			? Optional.empty()
-			: Optional.of(new Solved(line,
-				new SceneRefinement(line, weights, workers, progress)
-					.refine(settled(line, weights, passes))));
+			: Optional.of(new Solved(line, new SceneRefinement(line, weights, workers, progress)
+				.refine(settled(line, weights, passes))));
 	}
 
 	/** A pass with its price, and what of it is unexplained light. */

@@ -53,8 +53,8 @@ final class SceneSeeds {
 			for (int u = Math.max(0, t - 1); u <= Math.min(n - 1, t + 1); u++)
 				if (u != t)
 					beside.add(chains.get(frames.indexOf(u)));
-			seeds.add(
-				SceneSeed.of(t, chains.get(frames.indexOf(t)), beside, line.lengthOfLight(t)));
+			seeds
+				.add(SceneSeed.of(t, chains.get(frames.indexOf(t)), beside, line.lengthOfLight(t)));
 		}
 		seeds.sort(Comparator.comparingDouble(SceneSeed::worth).reversed()
 			.thenComparingInt(SceneSeed::frame));

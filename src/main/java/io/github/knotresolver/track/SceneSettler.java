@@ -56,8 +56,9 @@ final class SceneSettler {
 			progress.checkCancelled();
 			final List<Unexplained> left = new ArrayList<>();
 			for (final ScenePass pass : passes)
-				left.add(new Unexplained(new Scene(line.frames().get(t).light(), line.tables(),
-					pass.chains().get(t)), noise));
+				left.add(new Unexplained(
+					new Scene(line.frames().get(t).light(), line.tables(), pass.chains().get(t)),
+					noise));
 			for (int k = 0; k < filaments.size(); k++)
 				prices.get(k).add(prices(filaments.get(k), t, left));
 		}

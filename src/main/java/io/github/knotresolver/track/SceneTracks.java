@@ -60,8 +60,8 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 
 		/** @return the mean over all frames; a frame without a contour counts 0 */
 		public double meanConfidence() {
-			return frames.stream()
-				.mapToDouble(o -> o.contour().isPresent() ? o.confidence() : 0).average().orElse(0);
+			return frames.stream().mapToDouble(o -> o.contour().isPresent() ? o.confidence() : 0)
+				.average().orElse(0);
 		}
 	}
 
@@ -73,7 +73,8 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 		for (final Settled s : settled) {
 			final FilamentEnds e = FilamentEnds.of(s.chains(), anchor);
 			ends.add(e);
-			chains.add(e.reversed() ? s.chains().stream().map(Chain::reversed).toList() : s.chains());
+			chains
+				.add(e.reversed() ? s.chains().stream().map(Chain::reversed).toList() : s.chains());
 		}
 		final List<List<Observation>> observed = new ArrayList<>();
 		final double[] usual = new double[settled.size()];
@@ -87,8 +88,8 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 			for (final List<Chain> c : chains)
 				here.add(c.get(t));
 			final FrameView frame = line.frames().get(t);
-			final Unexplained left = new Unexplained(
-				new Scene(frame.light(), line.tables(), here), noise);
+			final Unexplained left = new Unexplained(new Scene(frame.light(), line.tables(), here),
+				noise);
 			for (int k = 0; k < usual.length; k++) {
 				final double haste = haste(chains.get(k), t) / usual[k];
 				final SceneConfidence confidence = new SceneConfidence(settled.get(k).gap()[t],
@@ -104,7 +105,7 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 				specks++;
 			else
 				filaments.add(new Filament(ends.get(k).clamped(), chains.get(k).get(0).length(),
-				settled.get(k).lengthError(), List.copyOf(observed.get(k))));
+					settled.get(k).lengthError(), List.copyOf(observed.get(k))));
 		filaments.sort(ORDER);
 		final List<String> notes = new ArrayList<>(new DoubtfulEpisodes(filaments).notes());
 		if (specks > 0)
@@ -122,8 +123,8 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 	 * @return whether there is one filament, and nothing speaks for its being free
 	 */
 	public boolean isOneClamped() {
-		return filaments.size() == 1 && (filaments.get(0).clamped()
-			|| filaments.get(0).meanConfidence() < CREDIBLE);
+		return filaments.size() == 1
+			&& (filaments.get(0).clamped() || filaments.get(0).meanConfidence() < CREDIBLE);
 	}
 
 	private static double usualMotion(final List<Chain> chains) {
@@ -145,8 +146,9 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 		final SceneConfidence confidence) {
 		final double visible = SceneConfidence.visible(frame.light(), chain);
 		if (visible < IN_VIEW)
-			return Observation.without(frame.frame(), FrameStatus.ABSENT,
-				"The filament is not in view.").withVisible(visible);
+			return Observation
+				.without(frame.frame(), FrameStatus.ABSENT, "The filament is not in view.")
+				.withVisible(visible);
 		if (confidence.dark() > LOST)
 			return Observation.without(frame.frame(), FrameStatus.LOST,
 				"No light was found where the filament must be.");

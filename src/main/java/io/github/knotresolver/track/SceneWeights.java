@@ -16,8 +16,7 @@ record SceneWeights(double stiffness) {
 	/** Memory of the predicted shape, per radian² and pixel: nearly rigid, then loose. */
 	private static final double RIGID = 3, LOOSE = 0.5;
 
-	private static final int FREE_ITERATIONS = 12, FEW_ITERATIONS = 6,
-		ITERATIONS = 25;
+	private static final int FREE_ITERATIONS = 12, FEW_ITERATIONS = 6, ITERATIONS = 25;
 	private static final double TOLERANCE = 4e-4, ROUGH = 2e-3;
 	private static final double STIFFER = 4;
 

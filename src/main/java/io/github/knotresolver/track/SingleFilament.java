@@ -65,8 +65,8 @@ public final class SingleFilament {
 					open.add(ends);
 			}
 		}
-		return seen > 0 && alone >= NEARLY_ALL * seen && open.size() >= Math.min(FEWEST_OPEN, (seen + 1) / 2)
-			&& staysInPlace(open);
+		return seen > 0 && alone >= NEARLY_ALL * seen
+			&& open.size() >= Math.min(FEWEST_OPEN, (seen + 1) / 2) && staysInPlace(open);
 	}
 
 	private static List<Set<Node>> objects(final SkeletonGraph graph) {

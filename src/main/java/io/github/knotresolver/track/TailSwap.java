@@ -188,8 +188,7 @@ final class TailSwap {
 		Polyline curve = Polyline.of(points);
 		if (Math.abs(curve.length() - filament.length()) > LENGTH)
 			return Optional.empty();
-		if (curve.first().distanceTo(filament.start()) > curve.last()
-			.distanceTo(filament.start()))
+		if (curve.first().distanceTo(filament.start()) > curve.last().distanceTo(filament.start()))
 			curve = curve.reversed();
 		if (curve.first().distanceTo(filament.start()) > JUMP)
 			return Optional.empty();

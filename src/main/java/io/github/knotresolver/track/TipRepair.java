@@ -77,8 +77,8 @@ final class TipRepair {
 					}
 			}
 		}
-		final boolean mended = best != chain && keep(k, window.fit(best, Optional.of(best),
-			settings), before);
+		final boolean mended = best != chain
+			&& keep(k, window.fit(best, Optional.of(best), settings), before);
 		if (!mended)
 			scene.put(k, chain);
 		return mended;
@@ -92,8 +92,9 @@ final class TipRepair {
 	}
 
 	private List<Chain> regrown(final SceneWindow window, final Chain chain, final double tip) {
-		return window.regrown(chain, Math.max(1, Math.min(chain.links() / 2,
-			(int) Math.rint(tip / chain.linkLength()))), settings);
+		return window.regrown(chain,
+			Math.max(1, Math.min(chain.links() / 2, (int) Math.rint(tip / chain.linkLength()))),
+			settings);
 	}
 
 	private boolean isWrong(final Point end) {

@@ -26,8 +26,9 @@ import io.github.knotresolver.ui.model.ReviewModel;
 final class ConfidenceStrip extends JComponent {
 
 	private static final long serialVersionUID = 1L;
-	private static final Color GROUND = new Color(0x2b, 0x2b, 0x2b), NONE = new Color(0x58, 0x58, 0x58),
-		CHANGED = new Color(0x56, 0xb4, 0xe9), CHECKED = new Color(0x56, 0xb4, 0xe9);
+	private static final Color GROUND = new Color(0x2b, 0x2b, 0x2b),
+		NONE = new Color(0x58, 0x58, 0x58), CHANGED = new Color(0x56, 0xb4, 0xe9),
+		CHECKED = new Color(0x56, 0xb4, 0xe9);
 
 	private final transient ReviewModel model;
 
@@ -66,9 +67,10 @@ final class ConfidenceStrip extends JComponent {
 	public String getToolTipText(final MouseEvent e) {
 		final int frame = frameAt(e.getX());
 		final double confidence = model.confidences()[frame - 1];
-		return "frame " + frame + (Double.isNaN(confidence)
-			? ": no contour"
-			: String.format(Locale.ROOT, ": confidence %.2f", confidence));
+		return "frame " + frame
+			+ (Double.isNaN(confidence)
+				? ": no contour"
+				: String.format(Locale.ROOT, ": confidence %.2f", confidence));
 	}
 
 	@Override
@@ -91,9 +93,8 @@ final class ConfidenceStrip extends JComponent {
 			final int middle = left + width / 2;
 			if (doubtful.contains(frame)) {
 				g.setColor(Color.WHITE);
-				g.fill(new Polygon(
-					new int[]{middle - mark / 2, middle + mark / 2, middle}, new int[]{1, 1, mark},
-					3));
+				g.fill(new Polygon(new int[]{middle - mark / 2, middle + mark / 2, middle},
+					new int[]{1, 1, mark}, 3));
 			}
 			if (model.isChecked(frame)) {
 				g.setColor(CHECKED);

@@ -43,7 +43,8 @@ final class ImageKeys implements KeyEventDispatcher, AutoCloseable {
 		final Action action = name == null ? null : root.getActionMap().get(name);
 		if (action == null)
 			return false;
-		action.actionPerformed(new ActionEvent(root, ActionEvent.ACTION_PERFORMED, name.toString()));
+		action
+			.actionPerformed(new ActionEvent(root, ActionEvent.ACTION_PERFORMED, name.toString()));
 		return true;
 	}
 

@@ -76,9 +76,9 @@ final class ImageLink implements ImageListener, MouseListener, MouseMotionListen
 		try {
 			if (frame(image) != model.frame())
 				goTo(model.frame());
-			final Overlay overlay = model.shown().flatMap(Observation::contour)
-				.map(c -> ReviewPictures.overlay(model.tracks().orElseThrow(),
-					model.track().orElseThrow(), c))
+			final Overlay overlay = model
+				.shown().flatMap(Observation::contour).map(c -> ReviewPictures
+					.overlay(model.tracks().orElseThrow(), model.track().orElseThrow(), c))
 				.orElseGet(Overlay::new);
 			dashed.ifPresent(c -> overlay.add(ReviewPictures.dashed(c)));
 			image.setOverlay(overlay);
@@ -158,7 +158,8 @@ final class ImageLink implements ImageListener, MouseListener, MouseMotionListen
 		final Drag done = drag.get();
 		drag = Optional.empty();
 		final Point place = place(e);
-		if (done.contour().at(done.held()).distanceTo(place) * canvas.getMagnification() < REACH / 2)
+		if (done.contour().at(done.held()).distanceTo(place) * canvas.getMagnification() < REACH
+			/ 2)
 			show(Optional.empty());
 		else if (done.isOfTip())
 			model.tip(place);

@@ -55,8 +55,8 @@ final class ReviewActions {
 		correct.add("Tip is here", "E", "The contour ends at the image's point selection",
 			() -> atPoint(model::tip));
 		correct.add("Not this one", "X", "The contour that is shown is wrong", model::refuse);
-		correct.add("Draw", "D",
-			"The image's line selection is the whole contour, fixed end first", this::draw);
+		correct.add("Draw", "D", "The image's line selection is the whole contour, fixed end first",
+			this::draw);
 		correct.add("Withdraw", "W", "Forget all that was said about this frame", model::withdraw);
 		go.add("Previous doubtful", "P", "The more doubtful frame before", model::previousDoubtful);
 		go.add("Next doubtful", "N", "The least certain frame, then the others",

@@ -190,10 +190,8 @@ public final class ReviewWindow {
 		headline.setText(ReviewWords.headline(model));
 		frame.setText(ReviewWords.frame(model));
 		if (saving.get() == 0)
-			status.setText(model.problem()
-				.orElse(model.stage().map(s -> s + " ...").orElse(result.isChanged()
-					? "Corrections are not saved yet."
-					: " ")));
+			status.setText(model.problem().orElse(model.stage().map(s -> s + " ...")
+				.orElse(result.isChanged() ? "Corrections are not saved yet." : " ")));
 		link.show(Optional.empty());
 		model.track().ifPresent(t -> showPictures(model.tracks().orElseThrow(), t));
 		strip.repaint();
@@ -203,15 +201,15 @@ public final class ReviewWindow {
 		final int edge = 6 * headline.getFontMetrics(headline.getFont()).getHeight();
 		final Observation shown = track.frames().get(model.frame() - 1);
 		final List<Thumbnails.Item> courses = new ArrayList<>(), near = new ArrayList<>();
-		courses.add(new Thumbnails.Item("alternative 1", "1: as shown", pictures.small(tracks, track,
-			shown.frame(), shown.contour(), edge), true, Optional.empty(), model::accept));
+		courses.add(new Thumbnails.Item("alternative 1", "1: as shown",
+			pictures.small(tracks, track, shown.frame(), shown.contour(), edge), true,
+			Optional.empty(), model::accept));
 		final List<Alternative> others = shown.alternatives();
 		for (int i = 0; i < Math.min(ReviewActions.MOST_ALTERNATIVES, others.size()); i++) {
 			final int index = i;
 			final Optional<Polyline> contour = Optional.of(others.get(i).contour());
 			courses.add(new Thumbnails.Item("alternative " + (i + 2),
-				String.format(Locale.ROOT, "%d: %+.1f", i + 2,
-					others.get(i).cost() - shown.cost()),
+				String.format(Locale.ROOT, "%d: %+.1f", i + 2, others.get(i).cost() - shown.cost()),
 				pictures.small(tracks, track, shown.frame(), contour, edge), false, contour,
 				() -> model.take(index)));
 		}

@@ -34,8 +34,9 @@ final class ReviewWords {
 	}
 
 	private static long without(final List<Observation> frames) {
-		return frames.stream().filter(
-			o -> o.status() == FrameStatus.LOST || o.status() == FrameStatus.UNRESOLVED).count();
+		return frames.stream()
+			.filter(o -> o.status() == FrameStatus.LOST || o.status() == FrameStatus.UNRESOLVED)
+			.count();
 	}
 
 	/** The frame in one line. */

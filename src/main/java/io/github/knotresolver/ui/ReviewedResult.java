@@ -80,8 +80,8 @@ public final class ReviewedResult implements AutoCloseable {
 				+ identity.movie() + " any more; put it back, or resolve it where it is.");
 		if (!RunIdentity.of(identity.movie(), identity.given(), progress).sha256()
 			.equals(identity.sha256()))
-			throw new UserException("The movie " + identity.movie()
-				+ " is not the one of result " + folder + " any more; resolve it again.");
+			throw new UserException("The movie " + identity.movie() + " is not the one of result "
+				+ folder + " any more; resolve it again.");
 		return new ReviewedResult(absolute, identity, progress);
 	}
 

@@ -32,10 +32,11 @@ public final class Reviews {
 	 * @throws UserException if it cannot be reviewed, in one sentence
 	 * @throws IOException if its files cannot be read
 	 */
-	public static void open(final Path folder, final boolean here,
-		final Progress progress, final Runnable closed) throws IOException {
+	public static void open(final Path folder, final boolean here, final Progress progress,
+		final Runnable closed) throws IOException {
 		if (GraphicsEnvironment.isHeadless())
-			throw new UserException("A review needs a display; without one, give Resolve Filament... a file of corrections.");
+			throw new UserException(
+				"A review needs a display; without one, give Resolve Filament... a file of corrections.");
 		progress.report("Opening the result", 0);
 		final ReviewedResult result = ReviewedResult.open(folder, progress);
 		try {
@@ -58,8 +59,7 @@ public final class Reviews {
 			? Optional.empty()
 			: IntStream.of(ids).mapToObj(WindowManager::getImage)
 				.filter(i -> i != null && i.getWindow() != null && i.getCanvas() != null)
-				.filter(i -> ImageFile.of(i).filter(result.file()::equals).isPresent())
-				.findFirst();
+				.filter(i -> ImageFile.of(i).filter(result.file()::equals).isPresent()).findFirst();
 		if (present.isPresent())
 			return present.get();
 		final ImagePlus image = ImageFile.open(result.file(), progress);

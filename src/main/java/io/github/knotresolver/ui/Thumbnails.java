@@ -59,8 +59,7 @@ final class Thumbnails extends JPanel {
 		label.setName(item.name);
 		label.setVerticalTextPosition(SwingConstants.BOTTOM);
 		label.setHorizontalTextPosition(SwingConstants.CENTER);
-		label.setBorder(
-			BorderFactory.createLineBorder(item.marked ? FRAME : getBackground(), 2));
+		label.setBorder(BorderFactory.createLineBorder(item.marked ? FRAME : getBackground(), 2));
 		label.setCursor(Cursor.getPredefinedCursor(Cursor.HAND_CURSOR));
 		label.addMouseListener(new MouseAdapter() {
 

@@ -162,8 +162,9 @@ class BatchSubcommandTest {
 		final Path sheet = sheet("FileName,FolderPath", "..tif,in", "...tif,in", ".tif,in",
 			"batch.csv.tif,in", "a.tif,in", "A.tif,in", "a\0.tif,in", "/,in", ",in", "..,in");
 		assertEquals(1, run(sheet, "--no-plots"));
-		assertEquals(List.of("movie", "movie-2", "movie-3", "batch.csv-2", "a", "A-2", "", "", "",
-			""), results());
+		assertEquals(
+			List.of("movie", "movie-2", "movie-3", "batch.csv-2", "a", "A-2", "", "", "", ""),
+			results());
 		assertEquals(List.of("in", "out", "sheet.csv"), names(home));
 		assertEquals(List.of("A-2", "a", "batch.csv", "batch.csv-2", "movie", "movie-2", "movie-3"),
 			names(out));

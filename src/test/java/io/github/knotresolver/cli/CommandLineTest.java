@@ -26,18 +26,18 @@ import ij.IJ;
 import ij.ImagePlus;
 import ij.gui.Roi;
 import ij.io.RoiDecoder;
-import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.imagej.TestImages;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.Engine;
 
 /** What a user types, and what comes of it. */
 class CommandLineTest {
 
-	private static final List<String> FILES = List.of("MTdata.csv", "RoiSet.zip", "contours.csv", "filaments.csv",
-		"frames.csv", "montage.png", "overlay.avi", "overlay.png", "overlay.tif", "parameters.json",
-		"statsSummary.txt", "summary.csv");
+	private static final List<String> FILES = List.of("MTdata.csv", "RoiSet.zip", "contours.csv",
+		"filaments.csv", "frames.csv", "montage.png", "overlay.avi", "overlay.png", "overlay.tif",
+		"parameters.json", "statsSummary.txt", "summary.csv");
 
 	@TempDir
 	Path home;
@@ -170,8 +170,7 @@ class CommandLineTest {
 		assertRefused(resolve(save(zt, "zt.tif")), "Z Project");
 		final ImagePlus rgb = IJ.createHyperStack("rgb", 9, 9, 1, 1, 4, 24);
 		rgb.getStack().getProcessor(2).set(3, 3, 0xff0000);
-		assertRefused(resolve(save(rgb, "rgb.tif")),
-			"RGB");
+		assertRefused(resolve(save(rgb, "rgb.tif")), "RGB");
 		assertRefused(resolve(save(IJ.createHyperStack("flat", 9, 9, 1, 1, 4, 16), "flat.tif")),
 			"equal in every frame");
 	}

@@ -98,7 +98,8 @@ class MeasureSubcommandTest {
 		assertTrue(Files.exists(out.resolve("length_spectrum.png")));
 		assertFalse(Files.exists(out.resolve("tip_angle_spectrum.png")));
 		final List<String> rows = Files.readAllLines(out.resolve("spectra.csv"));
-		assertEquals("quantity,frequency,amplitude,frequency_unit,amplitude_unit,filament", rows.get(0));
+		assertEquals("quantity,frequency,amplitude,frequency_unit,amplitude_unit,filament",
+			rows.get(0));
 		assertEquals(List.of("length", "turning_number"),
 			rows.stream().skip(1).map(r -> r.substring(0, r.indexOf(','))).distinct().toList());
 		assertTrue(Files.readString(out.resolve("oscillations.csv")).contains("length,"));

@@ -28,9 +28,9 @@ import io.github.knotresolver.fuzz.Drawings;
 import io.github.knotresolver.fuzz.DrawnMovies;
 import io.github.knotresolver.fuzz.Guard;
 import io.github.knotresolver.fuzz.Scratch;
-import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.Engine;
 
 /**
  * The whole of {@code resolve}: small movies of all kinds with odd options and damaged bytes end in
@@ -43,7 +43,7 @@ class ResolveFuzzTest {
 		{"region", "0,0,30,30", "5,5,2,2", "-3,-3,400,400"},
 		{"threshold", "otsu", "0", "1", "0.4", "0.999"}, {"iterations", "0", "1", "100"},
 		{"contraction-bias", "-1", "1", "0"}, {"smooth-factor", "0", "1", "20"},
-		{"segmentation", "threshold", "active-contour"}, 		{"candidates", "paper", "trails"},
+		{"segmentation", "threshold", "active-contour"}, {"candidates", "paper", "trails"},
 		{"resolver", "paper", "movie"}, {"length", "1e-9", "3", "40", "100000"},
 		{"length-model", "free", "constant"}, {"channel", "1", "2", "0"},
 		{"frames", "1", "2-3", "1-2", "1-2147483647", "9"}, {"ignore-frames", "1", "1-6", "2"},
@@ -84,8 +84,8 @@ class ResolveFuzzTest {
 					.map(value -> List.of("--" + o[0] + "=" + value)));
 		final Arbitrary<List<String>> flag = Arbitraries.of(List.of("--no-refine"),
 			List.of("--no-refine", "--candidates=paper", "--resolver=paper"),
-			List.of("--z-as-time"),
-			List.of("--log-size=5", "--log-sigma=1"), List.of("--log-size=71", "--log-sigma=50"));
+			List.of("--z-as-time"), List.of("--log-size=5", "--log-sigma=1"),
+			List.of("--log-size=71", "--log-sigma=50"));
 		return Arbitraries.frequencyOf(Tuple.of(5, option), Tuple.of(1, flag)).list()
 			.uniqueElements(o -> o.get(0).replaceFirst("=.*", "")).ofMaxSize(3)
 			.map(all -> all.stream().flatMap(List::stream).toList());
@@ -125,9 +125,8 @@ class ResolveFuzzTest {
 		if (err.contains("This is a bug") || err.contains("could not be written")
 			|| err.contains("not enough memory"))
 			throw failure(err);
-		Guard.count("resolve: exit status " + status + " "
-			+ err.lines().reduce((first, second) -> second).orElse("")
-				.replaceAll("\\S*/\\S*|\\d+|'.*'", "#"));
+		Guard.count("resolve: exit status " + status + " " + err.lines()
+			.reduce((first, second) -> second).orElse("").replaceAll("\\S*/\\S*|\\d+|'.*'", "#"));
 		if (status < 0 || status > 2)
 			throw new AssertionError("exit status " + status + ": " + err);
 		if (status != 0 && err.isBlank())

@@ -13,7 +13,6 @@ import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.model.Anchor;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.FrameStatus;
@@ -22,6 +21,7 @@ import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.Engine;
 
 /**
  * The command line in a process of its own, with an engine that reads contours
@@ -52,8 +52,7 @@ public final class TruthMain {
 		}
 	}
 
-	private static Tracks known(final Movie movie, final Settings parameters,
-		final Path file) {
+	private static Tracks known(final Movie movie, final Settings parameters, final Path file) {
 		final Map<Integer, List<Point>> points = new TreeMap<>();
 		try {
 			for (final String line : Files.readAllLines(file)) {
@@ -71,6 +70,9 @@ public final class TruthMain {
 					Optional.of(Polyline.of(points.get(f))), 1, 3, 0.2, 0.95)
 				: Observation.without(f, FrameStatus.LOST, "No contour in the file."))
 			.toList();
-		return new Tracks(movie, parameters, List.of(new FilamentTrack(1, Anchor.CLAMPED, frames.get(0).contour().map(Polyline::first), Double.NaN, Double.NaN, frames)), List.of());
+		return new Tracks(movie, parameters,
+			List.of(new FilamentTrack(1, Anchor.CLAMPED,
+				frames.get(0).contour().map(Polyline::first), Double.NaN, Double.NaN, frames)),
+			List.of());
 	}
 }

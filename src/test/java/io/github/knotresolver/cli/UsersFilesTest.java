@@ -19,9 +19,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.imagej.TestImages;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.Engine;
 
 /** No subcommand replaces what it reads, or anything unasked. */
 class UsersFilesTest {
@@ -39,8 +39,7 @@ class UsersFilesTest {
 		assertEquals(0, run("simulate", "--out", sim, "--length", "4", "--frames", "4",
 			"--duration", "4", "--time-step", "0.02", "--seed", "1"), err.toString());
 		TestImages.save(TestImages.movie(5, 8), home.resolve("movie.tif"));
-		assertEquals(0,
-			run("resolve", home.resolve("movie.tif"), "--out", result, "--no-plots"));
+		assertEquals(0, run("resolve", home.resolve("movie.tif"), "--out", result, "--no-plots"));
 	}
 
 	@Test

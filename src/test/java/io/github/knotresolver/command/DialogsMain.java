@@ -378,7 +378,8 @@ final class DialogsMain {
 		require(rois() == 4 && RoiManager.getRoiManager().getName(0).equals("own"),
 			rois() + " ROIs");
 		require(image.getOverlay().size() == 1 + 3 * 16, image.getOverlay().size() + " shapes");
-		require(tables().equals(Set.of("twice-contours", "twice-frames")), tables().toString());
+		require(tables().equals(Set.of("twice-contours", "twice-filaments", "twice-frames")),
+			tables().toString());
 		require(!recorded().contains("roiManager"), recorded());
 	}
 

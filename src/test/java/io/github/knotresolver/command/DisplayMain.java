@@ -69,11 +69,13 @@ final class DisplayMain {
 				f.contour().map(c -> c.divided(POINTS - 1)), f.junctions(), f.candidates(),
 				f.cost(), f.confidence()))
 			.toList();
-		return new Tracks(r.movie(), r.settings(), List.of(new FilamentTrack(1, Anchor.CLAMPED, r.only().fixedEnd(), r.only().length(), r.only().lengthError(), frames)), r.notes());
+		return new Tracks(
+			r.movie(), r.settings(), List.of(new FilamentTrack(1, Anchor.CLAMPED,
+				r.only().fixedEnd(), r.only().length(), r.only().lengthError(), frames)),
+			r.notes());
 	}
 
-	private static void show(final ImagePlus image, final MeasuredTracks result)
-		throws Exception {
+	private static void show(final ImagePlus image, final MeasuredTracks result) throws Exception {
 		final ResultDisplay display = new ResultDisplay(image, result.tracks(),
 			RoiConverter.forImage(image, 1));
 		display.overlay();

@@ -46,7 +46,7 @@ class ExamplesTest {
 
 	@Test
 	void imageJMacros() throws Exception {
-		final Path one = out.resolve("one");
+		final Path one = home.resolve("one");
 		assertResult(programs.macro(EXAMPLES.resolve("resolve-one.ijm"), movie + "," + one), one);
 		final String said = programs.macro(EXAMPLES.resolve("resolve-folder.ijm"),
 			movies + "," + out);

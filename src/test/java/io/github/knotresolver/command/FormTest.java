@@ -32,8 +32,9 @@ class FormTest {
 
 	static Stream<KnotCommand> commands() {
 		return Stream.of(new ResolveFilamentCommand(), new ReviewResultCommand(),
-			new CorrectFrameCommand(), new MeasureContoursCommand(), new BatchCommand(), new SimulateMovieCommand(), new EvaluateCommand(),
-			new SampleCommand(), new CiteCommand());
+			new CorrectFrameCommand(), new MeasureContoursCommand(), new BatchCommand(),
+			new SimulateMovieCommand(), new EvaluateCommand(), new SampleCommand(),
+			new CiteCommand());
 	}
 
 	@ParameterizedTest

@@ -23,8 +23,8 @@ class MessagesTest {
 	void noMessageOutsideTheCommandLineNamesItsOptions() throws IOException {
 		try (Stream<Path> files = Files.walk(SOURCES)) {
 			final List<String> found = files
-				.filter(f -> f.toString().endsWith(".java")
-					&& !f.startsWith(SOURCES.resolve("cli")))
+				.filter(
+					f -> f.toString().endsWith(".java") && !f.startsWith(SOURCES.resolve("cli")))
 				.flatMap(MessagesTest::options).toList();
 			assertEquals(List.of(), found);
 		}

@@ -16,11 +16,11 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Collectors;
 import java.util.Set;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
@@ -43,7 +43,6 @@ import ij.ImagePlus;
 import ij.WindowManager;
 import ij.gui.PointRoi;
 import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.imagej.SampleMovie;
 import io.github.knotresolver.imagej.TestImages;
 import io.github.knotresolver.imagej.form.Form;
@@ -55,6 +54,7 @@ import io.github.knotresolver.options.ResolveOptions;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.Engine;
 
 /** The Command as scripts call it. */
 class ResolveFilamentCommandTest {
@@ -117,8 +117,8 @@ class ResolveFilamentCommandTest {
 
 	private static boolean isRange(final Option option, final ModuleItem<?> input) {
 		return !option.range().matches("-?[0-9.]+ to -?[0-9.]+") || input.getMinimumValue() == null
-			|| option.range().equals(text(input.getMinimumValue()) + " to "
-				+ text(input.getMaximumValue()));
+			|| option.range()
+				.equals(text(input.getMinimumValue()) + " to " + text(input.getMaximumValue()));
 	}
 
 	private static String text(final Object number) {
@@ -155,8 +155,7 @@ class ResolveFilamentCommandTest {
 		final ImagePlus image = TestImages.movie(4, 8);
 		image.setRoi(new PointRoi(12.0, 30.0));
 		final byte[] before = ((byte[]) image.getStack().getPixels(2)).clone();
-		final Tracks resolution = (Tracks) run(Map.of("image", image))
-			.getOutput("resolution");
+		final Tracks resolution = (Tracks) run(Map.of("image", image)).getOutput("resolution");
 		assertEquals(Optional.of(new Point(12, 30)), resolution.settings().fixedEnd());
 		assertEquals("µm", resolution.movie().calibration().unit());
 		assertTrue(Arrays.equals(before, (byte[]) image.getStack().getPixels(2)));

@@ -243,8 +243,7 @@ final class ReviewMain {
 		return named(window.getContentPane(), name).orElse(null);
 	}
 
-	private static Optional<Component> named(final Container container,
-		final String name) {
+	private static Optional<Component> named(final Container container, final String name) {
 		for (final Component c : container.getComponents()) {
 			if (name.equals(c.getName()))
 				return Optional.of(c);

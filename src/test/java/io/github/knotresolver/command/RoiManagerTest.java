@@ -90,7 +90,7 @@ class RoiManagerTest {
 		assertEquals(4, Double.parseDouble(third[1]), log);
 		assertEquals(6, Double.parseDouble(third[2]), 1e-3, log);
 		assertTrue(frames.get(2).startsWith("2,2,,"), frames.get(2));
-		assertTrue(frames.get(1).endsWith("µm,1/µm,s"), frames.get(1));
+		assertTrue(frames.get(1).endsWith("µm,1/µm,s,1"), frames.get(1));
 		assertTrue(Files.readAllLines(out.resolve("contours.csv")).get(30).contains(",20.000,"),
 			Files.readAllLines(out.resolve("contours.csv")).get(30));
 	}

@@ -41,10 +41,10 @@ class UsersFilesCommandsTest {
 		movie = TestImages.save(TestImages.movie(5, 8), home.resolve("movie.tif")).toFile();
 		result = home.resolve("result").toFile();
 		sim = home.resolve("sim").toFile();
-		assertEquals("", run(ResolveFilamentCommand.class, Map.of("movie", movie, "out", result,
-			"plots", false)));
-		assertEquals("", run(SimulateMovieCommand.class, Map.of("out", sim, "length", 4.0,
-			"frames", 4, "duration", 4.0, "time_step", 0.02)));
+		assertEquals("", run(ResolveFilamentCommand.class,
+			Map.of("movie", movie, "out", result, "plots", false)));
+		assertEquals("", run(SimulateMovieCommand.class,
+			Map.of("out", sim, "length", 4.0, "frames", 4, "duration", 4.0, "time_step", 0.02)));
 	}
 
 	@AfterEach
@@ -55,8 +55,7 @@ class UsersFilesCommandsTest {
 	@Test
 	void whatIsReadIsNeverReplaced() throws Exception {
 		final File overlay = new File(result, "overlay.tif"),
-			contours = new File(result, "contours.csv"),
-			truth = new File(sim, "contours.csv");
+			contours = new File(result, "contours.csv"), truth = new File(sim, "contours.csv");
 		refused("overlay.tif, which is read", ResolveFilamentCommand.class,
 			Map.of("movie", overlay, "out", result, "force", true));
 		refused("overlay.tif, which is read", ResolveFilamentCommand.class,
@@ -102,8 +101,8 @@ class UsersFilesCommandsTest {
 	private String run(final Class<? extends KnotCommand> command, final Map<String, Object> inputs)
 		throws Exception {
 		final ModuleService modules = context.service(ModuleService.class);
-		final Module module = modules.createModule(
-			context.service(CommandService.class).getCommand(command));
+		final Module module = modules
+			.createModule(context.service(CommandService.class).getCommand(command));
 		final KnotCommand delegate = (KnotCommand) module.getDelegateObject();
 		if (delegate instanceof ResolveFilamentCommand resolve)
 			resolve.setEngine(TestImages::resolve);

@@ -12,10 +12,8 @@ class AssignmentTest {
 
 	@Test
 	void valueNotOrderDecides() {
-		assertArrayEquals(new int[]{1, 0},
-			Assignment.best(new double[][]{{9, 8}, {9, 1}}, 2));
-		assertArrayEquals(new int[]{-1, 0},
-			Assignment.best(new double[][]{{0, 0}, {3, 0}}, 2));
+		assertArrayEquals(new int[]{1, 0}, Assignment.best(new double[][]{{9, 8}, {9, 1}}, 2));
+		assertArrayEquals(new int[]{-1, 0}, Assignment.best(new double[][]{{0, 0}, {3, 0}}, 2));
 		assertArrayEquals(new int[]{-1, -1}, Assignment.best(new double[][]{{}, {}}, 0));
 		assertArrayEquals(new int[]{}, Assignment.best(new double[][]{}, 3));
 	}
@@ -37,8 +35,7 @@ class AssignmentTest {
 					taken[given[i]] = true;
 					sum += value[i][given[i]];
 				}
-			assertEquals(bruteForce(value, columns, 0, new boolean[columns]), sum,
-				"seed " + seed);
+			assertEquals(bruteForce(value, columns, 0, new boolean[columns]), sum, "seed " + seed);
 		}
 	}
 

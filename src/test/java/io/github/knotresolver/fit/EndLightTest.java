@@ -20,8 +20,8 @@ class EndLightTest {
 	}
 
 	private static EndLight light(final Chain truth, final LineModel model) {
-		return new EndLight(
-			DrawnMovie.draw(List.of(truth), List.of(), model, NOISE, 7).frame(0), model, NOISE);
+		return new EndLight(DrawnMovie.draw(List.of(truth), List.of(), model, NOISE, 7).frame(0),
+			model, NOISE);
 	}
 
 	@ParameterizedTest

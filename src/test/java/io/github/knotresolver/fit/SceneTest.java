@@ -79,10 +79,10 @@ class SceneTest {
 	void lightAddsUpWhereStrandsCrossOrSaturates() {
 		final List<Chain> cross = List.of(straight(20, 40, 0), straight(40, 20, Math.PI / 2));
 		final int centre = 40 * SIZE + 40;
-		assertEquals(2,
-			new Scene(dark(), line(LineModel.Kind.ADDITIVE), cross).picture()[centre], 0.02);
-		assertEquals(1,
-			new Scene(dark(), line(LineModel.Kind.SATURATING), cross).picture()[centre], 0.02);
+		assertEquals(2, new Scene(dark(), line(LineModel.Kind.ADDITIVE), cross).picture()[centre],
+			0.02);
+		assertEquals(1, new Scene(dark(), line(LineModel.Kind.SATURATING), cross).picture()[centre],
+			0.02);
 	}
 
 	@ParameterizedTest
@@ -93,8 +93,8 @@ class SceneTest {
 		final Scene scene = new Scene(new NormalizedFrame(SIZE, SIZE, truth.picture()), line(kind),
 			List.of(one.shifted(1, -1.5), other));
 		scene.take(0);
-		final Fit fit = scene.window(List.of(scene.chain(0))).fit(scene.chain(0),
-			Optional.empty(), new FitSettings(4, 0, 0, 30, 1e-6, false));
+		final Fit fit = scene.window(List.of(scene.chain(0))).fit(scene.chain(0), Optional.empty(),
+			new FitSettings(4, 0, 0, 30, 1e-6, false));
 		assertTrue(fit.chain().distance(one) < 0.1, () -> kind + ": " + fit.chain().distance(one));
 	}
 

@@ -37,8 +37,7 @@ class SimplexSearchTest {
 
 	@Test
 	void givesTheGuessWhereNothingIsDefined() {
-		assertArrayEquals(GUESS,
-			search(60, Progress.NONE).lowest(p -> Double.NaN, GUESS, SPREAD));
+		assertArrayEquals(GUESS, search(60, Progress.NONE).lowest(p -> Double.NaN, GUESS, SPREAD));
 	}
 
 	@Test

@@ -1,7 +1,8 @@
 package io.github.knotresolver.fit;
 
-import java.util.List;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
 
 import org.junit.jupiter.api.Test;
 

@@ -33,12 +33,11 @@ public final class DrawnMovies {
 		final Arbitrary<Content> contents = Arbitraries.frequencyOf(
 			Tuple.of(8, Arbitraries.of(Content.WAVE, Content.KNOT, Content.TWO)),
 			Tuple.of(3, Arbitraries.of(Content.class)));
-		return Combinators
-			.combine(contents, Arbitraries.of(1, 17, 40, 56, 64, 64, 72, 72, 80, 80),
-				Arbitraries.of(3, 33, 48, 56, 56, 64, 64, 72, 72), Arbitraries.of(1, 2, 2, 3, 3, 4, 4, 5, 5, 6),
-				Arbitraries.of(8, 8, 16, 16, 32, 24), Arbitraries.of(0.0, 0.02, 0.1, 0.5),
-				Arbitraries.of(false, false, true), Arbitraries.longs())
-			.as(Drawing::new).map(d -> new FileSaver(image(d)).serialize());
+		return Combinators.combine(contents, Arbitraries.of(1, 17, 40, 56, 64, 64, 72, 72, 80, 80),
+			Arbitraries.of(3, 33, 48, 56, 56, 64, 64, 72, 72),
+			Arbitraries.of(1, 2, 2, 3, 3, 4, 4, 5, 5, 6), Arbitraries.of(8, 8, 16, 16, 32, 24),
+			Arbitraries.of(0.0, 0.02, 0.1, 0.5), Arbitraries.of(false, false, true),
+			Arbitraries.longs()).as(Drawing::new).map(d -> new FileSaver(image(d)).serialize());
 	}
 
 	private static ImagePlus image(final Drawing d) {

@@ -48,7 +48,8 @@ final class DrawnTiff {
 			.combine(Arbitraries.integers().between(0, 3), Arbitraries.integers().between(0, 15),
 				Arbitraries.integers().between(0, 4), Arbitraries.integers().between(0, 999))
 			.as(Lie::new).list().ofMinSize(1).ofMaxSize(3);
-		final Arbitrary<List<Lie>> some = Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.just(List.of())), Tuple.of(1, lies));
+		final Arbitrary<List<Lie>> some = Arbitraries
+			.frequencyOf(Tuple.of(1, Arbitraries.just(List.of())), Tuple.of(1, lies));
 		return Combinators.combine(kinds, some, Drawings.edits())
 			.as((kind, told, edits) -> Drawings.damaged(file(kind, told), edits));
 	}

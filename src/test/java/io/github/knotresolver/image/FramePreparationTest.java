@@ -69,6 +69,7 @@ class FramePreparationTest {
 		final float[] background = Background.of(frame, 2, new boolean[4]);
 		for (final float b : background)
 			assertEquals(3, b, 1e-6);
-		assertTrue(Float.isFinite(Background.of(frame, 2, new boolean[]{true, true, true, true})[0]));
+		assertTrue(
+			Float.isFinite(Background.of(frame, 2, new boolean[]{true, true, true, true})[0]));
 	}
 }

@@ -148,8 +148,8 @@ class ImageMovieTest {
 		assertEquals(5, ImageFile.open(file).getStackSize());
 		for (int length = 9; length < whole.length; length += 7) {
 			Files.write(file, Arrays.copyOf(whole, length));
-			final String message = assertThrows(UserException.class,
-				() -> ImageFile.open(file)).getMessage();
+			final String message = assertThrows(UserException.class, () -> ImageFile.open(file))
+				.getMessage();
 			assertTrue(message.contains("is cut off") || message.contains("not an image"),
 				length + ": " + message);
 		}

@@ -10,13 +10,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
+import net.imglib2.img.array.ArrayImgs;
+import net.imglib2.view.Views;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-
-import net.imglib2.img.array.ArrayImgs;
-import net.imglib2.view.Views;
 
 import ij.IJ;
 import ij.ImagePlus;
@@ -94,11 +94,9 @@ class OverlayStackTest {
 	private static Tracks tracks(final int width, final int height, final int frames) {
 		final var frame = ArrayImgs.unsignedBytes(width, height);
 		frame.forEach(p -> p.set(9));
-		final var stack = Views.interval(
-			Views.extendZero(Views.addDimension(frame, 0, 0)), new long[]{0, 0, 0},
-			new long[]{width - 1, height - 1, frames - 1});
-		return new Tracks(
-			new Movie("flat", stack, new Calibration(0.1, "µm", 2, "s")),
+		final var stack = Views.interval(Views.extendZero(Views.addDimension(frame, 0, 0)),
+			new long[]{0, 0, 0}, new long[]{width - 1, height - 1, frames - 1});
+		return new Tracks(new Movie("flat", stack, new Calibration(0.1, "µm", 2, "s")),
 			Settings.DEFAULT,
 			List.of(new FilamentTrack(1, Anchor.CLAMPED, Optional.empty(), 5, 0,
 				IntStream.rangeClosed(1, frames)

@@ -35,8 +35,7 @@ class ResultDisplayTest {
 
 	private final ImagePlus image = TestImages.movie(4, 8);
 	private final Movie movie = ImageMovie.of(image, InputOptions.DEFAULT);
-	private final Tracks tracks = TestImages.resolve(movie, Settings.DEFAULT,
-		Progress.NONE);
+	private final Tracks tracks = TestImages.resolve(movie, Settings.DEFAULT, Progress.NONE);
 
 	@TempDir
 	Path home;

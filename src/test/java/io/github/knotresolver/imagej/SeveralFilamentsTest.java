@@ -16,13 +16,13 @@ import java.util.Optional;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
-import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-
 import net.imglib2.position.FunctionRandomAccessible;
 import net.imglib2.type.numeric.integer.UnsignedByteType;
 import net.imglib2.view.Views;
+
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 import ij.IJ;
 import ij.ImagePlus;
@@ -86,12 +86,11 @@ class SeveralFilamentsTest {
 		assertTrue(frames.get(2 * FRAMES + 1).startsWith("1,lost,Gone.,"));
 		assertEquals(List.of(
 			"filament,anchor,first_frame,last_frame,length,length_se,frames_resolved,mean_confidence,unit",
-			"1,clamped,1,10,20,0.025,10,0.9,µm", "3,free,1,7,10,,7,0.8,µm",
-			"12,free,1,10,,,0,,µm"), lines("filaments.csv"));
+			"1,clamped,1,10,20,0.025,10,0.9,µm", "3,free,1,7,10,,7,0.8,µm", "12,free,1,10,,,0,,µm"),
+			lines("filaments.csv"));
 		for (final String file : List.of("MTdata.csv", "MTdata-03.csv", "statsSummary-03.txt",
 			"tangent_angle_kymograph.tif", "tangent_angle_kymograph-03.tif", "length-03.svg",
-			"contours-03.png", "montage.png", "montage-01.png", "montage-03.png",
-			"montage-12.png"))
+			"contours-03.png", "montage.png", "montage-01.png", "montage-03.png", "montage-12.png"))
 			assertTrue(Files.size(out.resolve(file)) > 0, file);
 		assertFalse(Files.exists(out.resolve("length-12.svg")));
 		assertTrue(lines("MTdata-03.csv").get(0).startsWith("1,"));
@@ -103,8 +102,7 @@ class SeveralFilamentsTest {
 		assertEquals("movie: 3 filaments; 17 of 27 filament-frames resolved.", report.get(0));
 		assertEquals("Filament 1 (clamped): frames 1-10, resolved in 10, length 20 µm.",
 			report.get(1));
-		assertEquals("Filament 3 (free): frames 1-7, resolved in 7, length 10 µm.",
-			report.get(2));
+		assertEquals("Filament 3 (free): frames 1-7, resolved in 7, length 10 µm.", report.get(2));
 		assertTrue(report.contains("Filament 12, frames lost: 1-10 (frames.csv says why)."),
 			report.toString());
 	}
@@ -136,8 +134,8 @@ class SeveralFilamentsTest {
 				MeasurementFolder.write(all, folder, true, true, Progress.NONE));
 		}
 		assertEquals(1 + 2 * FRAMES, Files.readAllLines(measured.resolve("frames.csv")).size());
-		assertTrue(Files.readAllLines(measured.resolve("frames.csv")).get(FRAMES + 1)
-			.endsWith(",s,3"));
+		assertTrue(
+			Files.readAllLines(measured.resolve("frames.csv")).get(FRAMES + 1).endsWith(",s,3"));
 		assertTrue(Files.exists(measured.resolve("statsSummary-03.txt")));
 		assertTrue(Files.exists(measured.resolve("tip_angle-03.png")));
 		assertEquals(4, MeasurementFolder.report(all).size());
@@ -161,8 +159,7 @@ class SeveralFilamentsTest {
 		assertEquals("knot-01-0001", rois.get(0).getName());
 		assertEquals("knot-03-0007", rois.get(16).getName());
 		assertEquals(List.of(1, 3), List.of(rois.get(0).getGroup(), rois.get(16).getGroup()));
-		final Roi decoded = RoiDecoder
-			.openFromByteArray(RoiEncoder.saveAsByteArray(rois.get(16)));
+		final Roi decoded = RoiDecoder.openFromByteArray(RoiEncoder.saveAsByteArray(rois.get(16)));
 		assertEquals(3, decoded.getGroup());
 		assertEquals(rois.get(16).getFloatPolygon().npoints, decoded.getFloatPolygon().npoints);
 		assertNotEquals(rois.get(0).getStrokeColor(), rois.get(16).getStrokeColor());
@@ -200,29 +197,27 @@ class SeveralFilamentsTest {
 		assertEquals(1, lines("contours.csv").size());
 		assertEquals(1, lines("frames.csv").size());
 		assertEquals(1, lines("filaments.csv").size());
-		assertEquals("movie: no filament was found in 10 frames.",
-			RunReport.lines(result).get(0));
+		assertEquals("movie: no filament was found in 10 frames.", RunReport.lines(result).get(0));
 		assertTrue(Files.exists(out.resolve("montage.png")));
 	}
 
 	@Test
 	void whatCannotBeDrawnCostsThePicturesAndNoNumber() throws IOException {
-		final var tooLarge = Views.interval(
-			new FunctionRandomAccessible<UnsignedByteType>(3, (place, pixel) -> {
+		final var tooLarge = Views
+			.interval(new FunctionRandomAccessible<UnsignedByteType>(3, (place, pixel) -> {
 				throw new OutOfMemoryError("Java heap space");
 			}, UnsignedByteType::new), new long[3],
-			new long[]{TestImages.WIDTH - 1, TestImages.HEIGHT - 1, FRAMES - 1});
+				new long[]{TestImages.WIDTH - 1, TestImages.HEIGHT - 1, FRAMES - 1});
 		final ImageSource source = ImageSource.of(image);
 		final Outcome outcome;
 		try (ResultFolder folder = ResultFolder.reserve(out, ResultKind.RESOLUTION, false,
 			List.of())) {
-			outcome = ResolveRun.of(Map.of()).read(source, Progress.NONE)
-				.resolve(
-					(movie, settings, progress) -> tracks(
-						new Movie("large", tooLarge, movie.calibration()), settings,
-						List.of(filament(1, Anchor.CLAMPED, 80, 0.1,
-							t -> seen(t, line(-10 + t, 10, 70 + t, 10), 0.9, 1)))),
-					new FolderSink(folder, source, true), Progress.NONE);
+			outcome = ResolveRun.of(Map.of()).read(source, Progress.NONE).resolve(
+				(movie, settings, progress) -> tracks(
+					new Movie("large", tooLarge, movie.calibration()), settings,
+					List.of(filament(1, Anchor.CLAMPED, 80, 0.1,
+						t -> seen(t, line(-10 + t, 10, 70 + t, 10), 0.9, 1)))),
+				new FolderSink(folder, source, true), Progress.NONE);
 		}
 		assertEquals(1 + FRAMES, lines("frames.csv").size());
 		assertTrue(Files.exists(out.resolve("tip_angle.svg")));
@@ -230,8 +225,8 @@ class SeveralFilamentsTest {
 			"overlay.png")) {
 			assertFalse(Files.exists(out.resolve(picture)), picture);
 			assertTrue(
-				outcome.report().contains(
-					picture + " was left out. There is not enough memory for this movie; give Java more."),
+				outcome.report().contains(picture
+					+ " was left out. There is not enough memory for this movie; give Java more."),
 				outcome.report().toString());
 			assertTrue(Files.readString(out.resolve("parameters.json"))
 				.contains(picture + " was left out."), picture);
@@ -247,15 +242,16 @@ class SeveralFilamentsTest {
 	}
 
 	private MeasuredTracks write(final boolean plots) throws IOException {
-		return write(plots, List.of(
-			filament(1, Anchor.CLAMPED, 80, 0.1,
-				t -> seen(t, line(-10 + t, 10, 70 + t, 10), 0.9, 1)),
-			filament(3, Anchor.FREE, Double.NaN, Double.NaN,
-				t -> t > 7
-					? Observation.without(t, FrameStatus.ABSENT, "It has left the view.")
-					: seen(t, line(20 + t, 50, 60 + t, 50), 0.8, t == 4 ? 0.5 : 1)),
-			filament(12, Anchor.FREE, Double.NaN, Double.NaN,
-				t -> Observation.without(t, FrameStatus.LOST, "Gone."))));
+		return write(plots,
+			List.of(
+				filament(1, Anchor.CLAMPED, 80, 0.1,
+					t -> seen(t, line(-10 + t, 10, 70 + t, 10), 0.9, 1)),
+				filament(3, Anchor.FREE, Double.NaN, Double.NaN,
+					t -> t > 7
+						? Observation.without(t, FrameStatus.ABSENT, "It has left the view.")
+						: seen(t, line(20 + t, 50, 60 + t, 50), 0.8, t == 4 ? 0.5 : 1)),
+				filament(12, Anchor.FREE, Double.NaN, Double.NaN,
+					t -> Observation.without(t, FrameStatus.LOST, "Gone."))));
 	}
 
 	private MeasuredTracks write(final boolean plots, final List<FilamentTrack> filaments)

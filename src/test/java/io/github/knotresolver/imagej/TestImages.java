@@ -67,7 +67,10 @@ public final class TestImages {
 	public static Tracks resolve(final Movie movie, final Settings parameters,
 		final Progress progress) {
 		progress.checkCancelled();
-		return new Tracks(movie, parameters, List.of(new FilamentTrack(1, Anchor.CLAMPED, Optional.of(new Point(12, 30)), 80, 0.1, IntStream.range(0, movie.size()).mapToObj(i -> frame(i, movie.size())).toList())), List.of("A note."));
+		return new Tracks(movie, parameters,
+			List.of(new FilamentTrack(1, Anchor.CLAMPED, Optional.of(new Point(12, 30)), 80, 0.1,
+				IntStream.range(0, movie.size()).mapToObj(i -> frame(i, movie.size())).toList())),
+			List.of("A note."));
 	}
 
 	/** Contours that are known, one a frame. */
@@ -77,8 +80,9 @@ public final class TestImages {
 			.mapToObj(i -> new Observation(i + 1, FrameStatus.RESOLVED, "",
 				Optional.of(contours.get(i)), 1, 1, 0.5, 0.99))
 			.toList();
-		return new Tracks(movie, settings, List.of(new FilamentTrack(1, Anchor.CLAMPED,
-			Optional.of(contours.get(0).first()), contours.get(0).length(), 0, frames)),
+		return new Tracks(
+			movie, settings, List.of(new FilamentTrack(1, Anchor.CLAMPED,
+				Optional.of(contours.get(0).first()), contours.get(0).length(), 0, frames)),
 			List.of());
 	}
 

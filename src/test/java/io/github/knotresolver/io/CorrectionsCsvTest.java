@@ -26,8 +26,7 @@ class CorrectionsCsvTest {
 
 	@Test
 	void everyKindIsReadBack() throws IOException {
-		final List<Constraint> all = List.of(
-			new Constraint(2, 7, Kind.THROUGH, line(5, 6, 7, 8)),
+		final List<Constraint> all = List.of(new Constraint(2, 7, Kind.THROUGH, line(5, 6, 7, 8)),
 			new Constraint(1, 3, Kind.CONTOUR, line(1, 2, 3.5, 4, 9, 9)),
 			new Constraint(1, 3, Kind.NOT, line(1, 2, 8, 2)),
 			new Constraint(1, 3, Kind.NOT, line(1, 2, 8, 3, 9, 5)),

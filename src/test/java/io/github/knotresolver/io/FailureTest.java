@@ -72,8 +72,9 @@ class FailureTest {
 
 	@Test
 	void aLogThatCannotBeWrittenIsNotNamed() {
-		final String sentence = Failure.of(new IllegalStateException("x"), MEMORY,
-			new FailureLog(folder.resolve("absent"))).sentence();
+		final String sentence = Failure
+			.of(new IllegalStateException("x"), MEMORY, new FailureLog(folder.resolve("absent")))
+			.sentence();
 		assertFalse(sentence.contains("absent"), sentence);
 		assertTrue(sentence.contains("no log could be written"), sentence);
 	}
@@ -107,7 +108,8 @@ class FailureTest {
 	void failuresOfTheDiskSayWhatIsWrong() {
 		assertEquals("The result could not be written: No space left on device.",
 			failure(new IOException("No space left on device")).sentence());
-		assertEquals("The result could not be written: /a may not be written; check its permissions.",
+		assertEquals(
+			"The result could not be written: /a may not be written; check its permissions.",
 			failure(new AccessDeniedException("/a")).sentence());
 		assertEquals("The result could not be written: /a is not there any more.",
 			failure(new UncheckedIOException(new NoSuchFileException("/a"))).sentence());

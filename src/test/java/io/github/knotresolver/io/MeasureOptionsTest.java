@@ -43,7 +43,8 @@ class MeasureOptionsTest {
 		for (int i = 0; i < x.length; i++)
 			x[i] = i;
 		final Optional<Polyline> line = Optional.of(Polyline.of(x, y));
-		MeasureOptions.parse(Map.of(key, text)).measure(new ContourInput("lines",
-			List.of(line, line), new Calibration(0.1, "µm", 1, "s"), 0), Progress.NONE);
+		MeasureOptions.parse(Map.of(key, text)).measure(
+			new ContourInput("lines", List.of(line, line), new Calibration(0.1, "µm", 1, "s"), 0),
+			Progress.NONE);
 	}
 }

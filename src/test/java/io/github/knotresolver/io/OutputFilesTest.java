@@ -74,8 +74,8 @@ class OutputFilesTest {
 	}
 
 	private String refusal(final String name, final boolean force, final Path... inputs) {
-		return assertThrows(UserException.class,
-			() -> reserve(name, force, inputs).close()).getMessage();
+		return assertThrows(UserException.class, () -> reserve(name, force, inputs).close())
+			.getMessage();
 	}
 
 	private List<String> names() throws IOException {

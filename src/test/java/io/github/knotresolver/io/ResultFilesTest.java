@@ -1,7 +1,6 @@
 package io.github.knotresolver.io;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -51,7 +50,8 @@ class ResultFilesTest {
 		OriginalFiles.writeContours(home.resolve("m"), result.filaments().get(0));
 
 		final List<String> contours = Files.readAllLines(home.resolve("c"));
-		assertEquals("frame,index,x_px,y_px,x,y,arc_length,tangent_angle,curvature,unit,pixel_size,filament",
+		assertEquals(
+			"frame,index,x_px,y_px,x,y,arc_length,tangent_angle,curvature,unit,pixel_size,filament",
 			contours.get(0));
 		assertEquals("1,0,2.000,5.000,1,2.5,0,0,0,µm,0.5,1", contours.get(1));
 		assertEquals("1,20,22.000,5.000,11,2.5,10,0,0,µm,0.5,1", contours.get(21));
@@ -69,8 +69,7 @@ class ResultFilesTest {
 
 	@Test
 	void summaryIsOneRow() throws IOException {
-		final Tracks tracks = tracks(
-			RunOptions.parse(Map.of("fixed_end", "2,5", "length", "10")));
+		final Tracks tracks = tracks(RunOptions.parse(Map.of("fixed_end", "2,5", "length", "10")));
 		SummaryCsv.write(home.resolve("s"), MeasuredTracks.of(tracks, Progress.NONE),
 			InputOptions.DEFAULT);
 		final List<String> rows = Files.readAllLines(home.resolve("s"));
@@ -99,16 +98,15 @@ class ResultFilesTest {
 		final Map<String, String> read = new TreeMap<>();
 		json.getAsJsonObject("options").entrySet().forEach(
 			e -> read.put(e.getKey(), e.getValue().isJsonNull() ? "" : e.getValue().getAsString()));
-		assertEquals(tracks.settings(),
-			RunOptions.parse(read).parameters(tracks.movie()));
+		assertEquals(tracks.settings(), RunOptions.parse(read).parameters(tracks.movie()));
 		assertEquals("KnotResolver", json.get("program").getAsString());
 		assertEquals("2.000,5.000", json.getAsJsonObject("found").get("fixed_end").getAsString());
 	}
 
 	@Test
 	void statisticsHaveTheOriginalsFormat() throws IOException {
-		final MeasuredTracks result = MeasuredTracks
-			.of(tracks(RunOptions.parse(Map.of())), Progress.NONE);
+		final MeasuredTracks result = MeasuredTracks.of(tracks(RunOptions.parse(Map.of())),
+			Progress.NONE);
 		OriginalFiles.writeStatistics(home.resolve("s"), result.filaments().get(0), result);
 		assertEquals("""
 			Statistics Summary
@@ -150,9 +148,12 @@ class ResultFilesTest {
 	private static Tracks tracks(final RunOptions options) {
 		final Movie movie = new Movie("a movie.tif", ArrayImgs.unsignedBytes(40, 40, 3),
 			CALIBRATION);
-		return new Tracks(movie, options.parameters(movie), List.of(new FilamentTrack(1, Anchor.CLAMPED, Optional.of(new Point(2, 5)), 20, 0.1, List.of(frame(1, FrameStatus.RESOLVED, 1, 0),
-				Observation.without(2, FrameStatus.LOST, "Gone, it seems."),
-				frame(3, FrameStatus.CORRECTED, 0.6, 0.8)))), List.of());
+		return new Tracks(movie, options.parameters(movie),
+			List.of(new FilamentTrack(1, Anchor.CLAMPED, Optional.of(new Point(2, 5)), 20, 0.1,
+				List.of(frame(1, FrameStatus.RESOLVED, 1, 0),
+					Observation.without(2, FrameStatus.LOST, "Gone, it seems."),
+					frame(3, FrameStatus.CORRECTED, 0.6, 0.8)))),
+			List.of());
 	}
 
 	private static Observation frame(final int number, final FrameStatus status, final double dx,

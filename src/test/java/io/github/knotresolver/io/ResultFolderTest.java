@@ -285,8 +285,10 @@ class ResultFolderTest {
 		final Path other = Files.createDirectory(home.resolve(".results.partial-1-abc"));
 		final Path mine = Files.createDirectory(home.resolve(".result.partial-mine"));
 		write("new", false);
-		assertEquals(List.of(other.getFileName().toString(), mine.getFileName().toString(),
-			"result").stream().sorted().toList(), FileTrees.names(home));
+		assertEquals(
+			List.of(other.getFileName().toString(), mine.getFileName().toString(), "result")
+				.stream().sorted().toList(),
+			FileTrees.names(home));
 	}
 
 	/** A batch clears its folder while another run writes a result there. */
@@ -375,7 +377,8 @@ class ResultFolderTest {
 	}
 
 	private String refusal(final boolean force, final Path... inputs) {
-		return assertThrows(UserException.class, () -> ResultFolder.reserve(out,
-			ResultKind.RESOLUTION, force, List.of(inputs)).close()).getMessage();
+		return assertThrows(UserException.class,
+			() -> ResultFolder.reserve(out, ResultKind.RESOLUTION, force, List.of(inputs)).close())
+			.getMessage();
 	}
 }

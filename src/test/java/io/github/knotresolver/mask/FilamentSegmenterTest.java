@@ -120,7 +120,8 @@ class FilamentSegmenterTest {
 	void givenThresholdIsUsedAsItIs() {
 		final Img<FloatType> frame = Pixels.image(new float[]{0.3f, 0.5f, 0.7f, 0.5f}, 2);
 		final FilamentSegmenter only = new FilamentSegmenter(
-			new Segmentation(Steps.BOTH, Polarity.AUTO, OptionalDouble.of(0.6), 0, 0, 0), new LocalThreshold());
+			new Segmentation(Steps.BOTH, Polarity.AUTO, OptionalDouble.of(0.6), 0, 0, 0),
+			new LocalThreshold());
 		assertEquals(0, ConnectedComponents.of(only.segment(frame)).objects().size(), "a speck");
 		assertArrayEquals(new boolean[]{false, false, true, false},
 			Pixels.bits(FixedThreshold.above(frame, 0.6)));
@@ -133,8 +134,8 @@ class FilamentSegmenterTest {
 		final Picture picture = new Picture();
 		picture.line(20, 35, 70, 35, 1);
 		final Img<FloatType> frame = picture.clean(5);
-		final Segmentation none = new Segmentation(steps, Polarity.AUTO, OptionalDouble.empty(), iterations, 0.4,
-			0.2);
+		final Segmentation none = new Segmentation(steps, Polarity.AUTO, OptionalDouble.empty(),
+			iterations, 0.4, 0.2);
 		assertArrayEquals(
 			Pixels.bits(MaskRepair.fillPinHoles(
 				MaskRepair.removeSpecks(FixedThreshold.above(frame, OtsuThreshold.of(frame)),

@@ -16,7 +16,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.TreeSet;
 
 import net.imglib2.img.array.ArrayImgs;
 
@@ -101,8 +100,8 @@ class RunOptionsTest {
 			assertEquals(
 				"region must be X,Y,WIDTH,HEIGHT in whole pixels, such as 10,0,120,80, but is '"
 					+ wrong + "'.",
-				assertThrows(UserException.class,
-					() -> RunOptions.parse(Map.of("region", wrong))).getMessage());
+				assertThrows(UserException.class, () -> RunOptions.parse(Map.of("region", wrong)))
+					.getMessage());
 	}
 
 	@ParameterizedTest

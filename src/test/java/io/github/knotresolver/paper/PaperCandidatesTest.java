@@ -1,17 +1,5 @@
 package io.github.knotresolver.paper;
 
-import io.github.knotresolver.Drawn;
-import io.github.knotresolver.candidate.Candidate;
-import io.github.knotresolver.candidate.CandidateQuery;
-import io.github.knotresolver.candidate.CandidateSet;
-import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.graph.Contact;
-import io.github.knotresolver.graph.FilamentDigraph;
-import io.github.knotresolver.graph.Label;
-import io.github.knotresolver.graph.SkeletonGraph;
-import io.github.knotresolver.progress.Progress;
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -30,6 +18,18 @@ import org.jgrapht.alg.shortestpath.AllDirectedPaths;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+
+import io.github.knotresolver.Drawn;
+import io.github.knotresolver.candidate.Candidate;
+import io.github.knotresolver.candidate.CandidateQuery;
+import io.github.knotresolver.candidate.CandidateSet;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.graph.Contact;
+import io.github.knotresolver.graph.FilamentDigraph;
+import io.github.knotresolver.graph.Label;
+import io.github.knotresolver.graph.SkeletonGraph;
+import io.github.knotresolver.progress.Progress;
 
 class PaperCandidatesTest {
 

@@ -40,8 +40,7 @@ final class Trial {
 
 	/** @return a row for every frame that the method sees */
 	List<FrameResult> run() {
-		final Settings parameters = method.parameters(movie.movie(),
-			movie.truth().get(0).first());
+		final Settings parameters = method.parameters(movie.movie(), movie.truth().get(0).first());
 		return method.resolves() ? contours(parameters) : skeletons(parameters);
 	}
 
@@ -81,7 +80,8 @@ final class Trial {
 	/** What the pipeline finds; if it refuses the movie, nothing in any frame. */
 	private List<Observation> frames(final Settings parameters) {
 		try {
-			return new FilamentResolver(parameters).resolve(movie.movie(), Progress.NONE).only().frames();
+			return new FilamentResolver(parameters).resolve(movie.movie(), Progress.NONE).only()
+				.frames();
 		} catch (final UserException e) {
 			System.err.println(method.label() + " on " + series + ": " + e.getMessage());
 			return IntStream.rangeClosed(1, movie.truth().size())

@@ -89,8 +89,8 @@ public final class BenchmarkMain {
 		} catch (final UserException e) {
 			final List<Observation> none = IntStream.rangeClosed(1, movie.size())
 				.mapToObj(f -> Observation.without(f, FrameStatus.LOST, e.getMessage())).toList();
-			return new Tracks(movie, parameters, List.of(new FilamentTrack(1, Anchor.CLAMPED, Optional.empty(),
-				Double.NaN, Double.NaN, none)), List.of(e.getMessage()));
+			return new Tracks(movie, parameters, List.of(new FilamentTrack(1, Anchor.CLAMPED,
+				Optional.empty(), Double.NaN, Double.NaN, none)), List.of(e.getMessage()));
 		}
 	}
 

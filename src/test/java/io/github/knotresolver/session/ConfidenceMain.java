@@ -52,8 +52,8 @@ public final class ConfidenceMain {
 		final Path table = Path.of(args[0]);
 		final boolean fresh = !Files.exists(table);
 		for (int i = 1; i < args.length; i++)
-			try (PrintStream out = new PrintStream(Files.newOutputStream(table,
-				StandardOpenOption.CREATE, StandardOpenOption.APPEND),
+			try (PrintStream out = new PrintStream(
+				Files.newOutputStream(table, StandardOpenOption.CREATE, StandardOpenOption.APPEND),
 				false, StandardCharsets.UTF_8)) {
 				if (fresh && i == 1)
 					out.println("movie,frame,right,confidence," + FitEvidence.NAMES);
@@ -74,7 +74,7 @@ public final class ConfidenceMain {
 			new FixedEndFinder(prepared.frames(), Progress.NONE).find()
 				.flatMap(end -> new FitResolver(TrailCandidates.DEFAULT, prepared.kinds(),
 					settings.lengthModel(), workers, Progress.NONE)
-						.learn(prepared.frames(), end, settings.length()))
+					.learn(prepared.frames(), end, settings.length()))
 				.map(solver -> solver.solve(List.of(), workers, Progress.NONE))
 				.ifPresent(found -> write(name, prepared, found, truth, out));
 		} catch (final IllegalArgumentException e) {
@@ -83,8 +83,8 @@ public final class ConfidenceMain {
 		System.err.println(name);
 	}
 
-	private static void write(final String name, final PreparedMovie prepared,
-		final Resolved found, final Map<Integer, Polyline> truth, final PrintStream out) {
+	private static void write(final String name, final PreparedMovie prepared, final Resolved found,
+		final Map<Integer, Polyline> truth, final PrintStream out) {
 		for (int t = 0; t < found.frames().size(); t++) {
 			final Observation frame = found.frames().get(t);
 			final Optional<FitEvidence> evidence = found.evidence().get(t);
@@ -92,9 +92,9 @@ public final class ConfidenceMain {
 			if (right == null || frame.contour().isEmpty() || evidence.isEmpty())
 				continue;
 			final Polyline contour = frame.contour().get();
-			final double off = DiscreteFrechet.distance(right, Polyline.of(IntStream
-				.range(0, contour.size()).mapToObj(i -> prepared.pixels().out(contour.point(i)))
-				.toList()));
+			final double off = DiscreteFrechet.distance(right,
+				Polyline.of(IntStream.range(0, contour.size())
+					.mapToObj(i -> prepared.pixels().out(contour.point(i))).toList()));
 			out.println(name + "," + frame.frame() + "," + (off < RIGHT ? 1 : 0) + ","
 				+ frame.confidence() + "," + evidence.get());
 		}

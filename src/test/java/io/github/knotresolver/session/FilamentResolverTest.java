@@ -26,16 +26,16 @@ import io.github.knotresolver.fit.DrawnMovie;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.model.FilamentChoice;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.CandidateMethod;
 import io.github.knotresolver.model.Constraint;
+import io.github.knotresolver.model.FilamentChoice;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.LengthModel;
 import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Region;
 import io.github.knotresolver.model.ResolverMethod;
-import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
@@ -62,7 +62,8 @@ class FilamentResolverTest {
 			"no frame crosses itself");
 		assertFollows(drawn, result, Set.of());
 		assertEquals(LENGTH, result.only().length(), 0.01 * LENGTH);
-		assertEquals(0, result.only().fixedEnd().orElseThrow().distanceTo(new Point(22.4, 55.3)), 1);
+		assertEquals(0, result.only().fixedEnd().orElseThrow().distanceTo(new Point(22.4, 55.3)),
+			1);
 	}
 
 	@Test
@@ -79,7 +80,8 @@ class FilamentResolverTest {
 			.mapToObj(t -> DrawnMovie.winding(16 * t, 80, 9)).toList();
 		final DrawnMovie drawn = DrawnMovie.draw(chains, List.of(), GAUSSIAN, NOISE, 32);
 		final Tracks result = resolve(drawn, Settings.DEFAULT);
-		assertEquals(0, result.only().fixedEnd().orElseThrow().distanceTo(new Point(22.4, 55.3)), 1);
+		assertEquals(0, result.only().fixedEnd().orElseThrow().distanceTo(new Point(22.4, 55.3)),
+			1);
 		assertFollows(drawn, result, Set.of());
 	}
 
@@ -104,8 +106,9 @@ class FilamentResolverTest {
 				new double[]{at.y() + 12 + away, at.y() + away}), 10, 34)));
 		}
 		final DrawnMovie drawn = DrawnMovie.draw(chains, foreign, GAUSSIAN, NOISE, 22);
-		assertFollows(drawn, resolve(drawn,
-			Settings.DEFAULT.edit().filaments(FilamentChoice.ONE).build()), Set.of());
+		assertFollows(drawn,
+			resolve(drawn, Settings.DEFAULT.edit().filaments(FilamentChoice.ONE).build()),
+			Set.of());
 	}
 
 	@Test
@@ -165,8 +168,8 @@ class FilamentResolverTest {
 			for (final ResolverMethod resolver : ResolverMethod.values())
 				for (final CandidateMethod candidates : CandidateMethod.values()) {
 					final Settings d = Settings.DEFAULT;
-					final Tracks result = resolve(drawn,
-						d.edit().candidates(candidates).resolver(resolver).refine(refine).threads(2).build());
+					final Tracks result = resolve(drawn, d.edit().candidates(candidates)
+						.resolver(resolver).refine(refine).threads(2).build());
 					assertFollows(drawn, result, Set.of());
 				}
 	}
@@ -201,7 +204,8 @@ class FilamentResolverTest {
 		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(3, LENGTH, 0.8), List.of(),
 			GAUSSIAN, NOISE, 28);
 		final Settings d = Settings.DEFAULT;
-		final Settings outside = d.edit().fixedEnd(Optional.of(new Point(500, 3))).threads(1).build();
+		final Settings outside = d.edit().fixedEnd(Optional.of(new Point(500, 3))).threads(1)
+			.build();
 		assertMessage(drawn, outside, "500.0,3.0");
 		assertMessage(drawn, with(new TreeSet<>(Set.of(4)), new TreeSet<>(), Map.of()), "frame 4");
 		assertMessage(drawn, with(new TreeSet<>(Set.of(1)), new TreeSet<>(Set.of(1)), Map.of()),
@@ -236,11 +240,9 @@ class FilamentResolverTest {
 		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(4, LENGTH, 0.8), List.of(),
 			GAUSSIAN, NOISE, 32);
 		final Settings d = Settings.DEFAULT;
-		assertMessage(drawn,
-			d.edit().fixedEnd(Optional.of(new Point(5, 104))).threads(1).build(),
+		assertMessage(drawn, d.edit().fixedEnd(Optional.of(new Point(5, 104))).threads(1).build(),
 			"px from any object");
-		assertMessage(drawn,
-			d.edit().length(OptionalDouble.of(15000)).threads(1).build(),
+		assertMessage(drawn, d.edit().length(OptionalDouble.of(15000)).threads(1).build(),
 			"far too long");
 	}
 
@@ -251,8 +253,9 @@ class FilamentResolverTest {
 		final Settings d = Settings.DEFAULT;
 		final Tracks result = resolve(drawn,
 			d.edit().length(OptionalDouble.of(LENGTH / 3)).threads(2).build());
-		result.only().frames().forEach(f -> assertTrue(f.contour().isEmpty() || f.confidence() < 0.5,
-			"frame " + f.frame() + " is sure of it: " + f.confidence()));
+		result.only().frames()
+			.forEach(f -> assertTrue(f.contour().isEmpty() || f.confidence() < 0.5,
+				"frame " + f.frame() + " is sure of it: " + f.confidence()));
 	}
 
 	@Test
@@ -277,15 +280,16 @@ class FilamentResolverTest {
 
 	private static void assertMessage(final DrawnMovie drawn, final Settings parameters,
 		final String part) {
-		final String message = assertThrows(UserException.class,
-			() -> resolve(drawn, parameters)).getMessage();
+		final String message = assertThrows(UserException.class, () -> resolve(drawn, parameters))
+			.getMessage();
 		assertTrue(message.contains(part), message);
 	}
 
-	private static Settings with(final SortedSet<Integer> frames,
-		final SortedSet<Integer> ignored, final Map<Integer, Polyline> corrections) {
+	private static Settings with(final SortedSet<Integer> frames, final SortedSet<Integer> ignored,
+		final Map<Integer, Polyline> corrections) {
 		final Settings d = Settings.DEFAULT;
-		return d.edit().frames(frames).ignoreFrames(ignored).corrections(corrections).threads(2).build();
+		return d.edit().frames(frames).ignoreFrames(ignored).corrections(corrections).threads(2)
+			.build();
 	}
 
 	private static Tracks resolve(final DrawnMovie drawn, final Settings parameters) {
@@ -299,7 +303,8 @@ class FilamentResolverTest {
 				continue;
 			final Observation seen = result.filaments().get(0).frames().get(t);
 			final Polyline contour = seen.contour()
-				.orElseThrow(() -> new AssertionError("frame " + seen.frame() + ": " + seen.reason()))
+				.orElseThrow(
+					() -> new AssertionError("frame " + seen.frame() + ": " + seen.reason()))
 				.resampled(1);
 			final double distance = DiscreteFrechet.distance(contour,
 				drawn.truth().get(t).resampled(1));

@@ -93,10 +93,8 @@ class PreparedMovieTest {
 	@Test
 	void gradientHazeAndHotPixelsChangeLittle() throws IOException {
 		final Random random = new Random(6);
-		requireTruth(
-			prepared(changed((x, y, t, v) -> v + 0.8 * x + 40 * Math.sin(y / 20.0)
-				+ (random.nextInt(500) == 0 ? 300 : 0))),
-			0.97, 0.95);
+		requireTruth(prepared(changed((x, y, t, v) -> v + 0.8 * x + 40 * Math.sin(y / 20.0)
+			+ (random.nextInt(500) == 0 ? 300 : 0))), 0.97, 0.95);
 	}
 
 	@Test

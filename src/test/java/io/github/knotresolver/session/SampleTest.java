@@ -43,7 +43,8 @@ class SampleTest {
 	@Test
 	void everyFrameIsResolved() throws IOException {
 		final SortedMap<Integer, Polyline> found = new TreeMap<>();
-		resolve(2).only().frames().forEach(f -> f.contour().ifPresent(c -> found.put(f.frame(), c)));
+		resolve(2).only().frames()
+			.forEach(f -> f.contour().ifPresent(c -> found.put(f.frame(), c)));
 		final SortedMap<Integer, Polyline> truth = truth();
 		final EvaluationSummary scores = Evaluation.of(truth, found, Progress.NONE).summary();
 		assertEquals(truth.size(), scores.framesPresent(), "frames with a contour");

@@ -47,8 +47,7 @@ class SessionTest {
 		silent = session.solve(List.of(), Progress.NONE);
 	}
 
-	private static final LineModel LINE = LineModel
-		.uniform(LineModel.Kind.ADDITIVE, 1.6, 1);
+	private static final LineModel LINE = LineModel.uniform(LineModel.Kind.ADDITIVE, 1.6, 1);
 
 	private static Observation frame(final Tracks tracks, final int frame) {
 		return tracks.only().frames().get(frame - 1);
@@ -83,19 +82,17 @@ class SessionTest {
 		final Tracks anew = new Session(drawn.movie(), SETTINGS)
 			.solve(List.of(through, refused, contour), Progress.NONE);
 		assertSame(anew, again);
-		assertEquals(new FilamentResolver(SETTINGS.edit()
-			.constraints(List.of(contour, through, refused)).threads(1).build())
-				.resolve(drawn.movie(), Progress.NONE).only(),
-			again.only());
+		assertEquals(new FilamentResolver(
+			SETTINGS.edit().constraints(List.of(contour, through, refused)).threads(1).build())
+			.resolve(drawn.movie(), Progress.NONE).only(), again.only());
 		assertSame(silent, session.solve(List.of(), Progress.NONE));
 	}
 
 	@Test
 	void aPlaceThatTheContourPassesIsConfirmed() {
-		final Tracks told = session.solve(
-			List.of(at(5, Kind.THROUGH, drawn.truth().get(4).point(30)),
-				at(8, Kind.TIP, drawn.truth().get(7).last())),
-			Progress.NONE);
+		final Tracks told = session
+			.solve(List.of(at(5, Kind.THROUGH, drawn.truth().get(4).point(30)),
+				at(8, Kind.TIP, drawn.truth().get(7).last())), Progress.NONE);
 		for (final int frame : new int[]{5, 8}) {
 			assertEquals(FrameStatus.CORRECTED, frame(told, frame).status());
 			assertEquals("As the user said.", frame(told, frame).reason());
@@ -118,8 +115,9 @@ class SessionTest {
 		final Observation other = frame(
 			session.solve(List.of(new Constraint(1, 6, Kind.NOT, shown)), Progress.NONE), 6);
 		assertNotEquals(Optional.of(shown), other.contour());
-		assertTrue(other.status() == FrameStatus.UNRESOLVED
-			|| other.reason().contains("Another contour"), other.toString());
+		assertTrue(
+			other.status() == FrameStatus.UNRESOLVED || other.reason().contains("Another contour"),
+			other.toString());
 	}
 
 	@Test
@@ -144,7 +142,7 @@ class SessionTest {
 		final Polyline given = drawn.truth().get(4).divided(30);
 		final Tracks told = new Session(drawn.movie(),
 			SETTINGS.edit().region(Optional.of(region)).build())
-				.solve(List.of(Constraint.contour(5, given)), Progress.NONE);
+			.solve(List.of(Constraint.contour(5, given)), Progress.NONE);
 		assertEquals(FrameStatus.CORRECTED, frame(told, 5).status());
 		assertEquals(0, frame(told, 5).contour().orElseThrow().last().distanceTo(given.last()), 2);
 		assertEquals(List.of(Constraint.contour(5, given)), told.settings().constraints());
@@ -153,14 +151,14 @@ class SessionTest {
 	@Test
 	void whatCannotBeFollowedIsRefused() {
 		final Constraint second = new Constraint(2, 3, Kind.CONTOUR, drawn.truth().get(2));
-		assertTrue(assertThrows(UserException.class,
-			() -> session.solve(List.of(second), Progress.NONE)).getMessage()
-				.contains("filament 2, but the movie has 1"));
+		assertTrue(
+			assertThrows(UserException.class, () -> session.solve(List.of(second), Progress.NONE))
+				.getMessage().contains("filament 2, but the movie has 1"));
 		final Session skeletons = new Session(drawn.movie(),
 			SETTINGS.edit().resolver(ResolverMethod.PAPER).build());
-		assertTrue(assertThrows(UserException.class,
-			() -> skeletons.solve(List.of(at(3, Kind.TIP, drawn.truth().get(2).last())),
-				Progress.NONE)).getMessage().contains("whole contours only"));
+		assertTrue(assertThrows(UserException.class, () -> skeletons
+			.solve(List.of(at(3, Kind.TIP, drawn.truth().get(2).last())), Progress.NONE))
+			.getMessage().contains("whole contours only"));
 	}
 
 	@Test

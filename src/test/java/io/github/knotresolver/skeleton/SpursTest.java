@@ -42,7 +42,8 @@ class SpursTest {
 			"""), 5);
 		final String drawn = Ascii.draw(pruned);
 		assertTrue(drawn.endsWith("..#.."), drawn);
-		assertEquals(0, drawn.lines().limit(2).mapToLong(l -> l.chars().filter(c -> c == '#').count()).sum());
+		assertEquals(0,
+			drawn.lines().limit(2).mapToLong(l -> l.chars().filter(c -> c == '#').count()).sum());
 	}
 
 	@Test

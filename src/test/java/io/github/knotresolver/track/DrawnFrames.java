@@ -7,20 +7,19 @@ import java.util.function.IntToDoubleFunction;
 import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
 
+import io.github.knotresolver.Drawn;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.DrawnMovie;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.SkeletonGraph;
-import io.github.knotresolver.model.Cleaning;
 import io.github.knotresolver.image.FrameCleaner;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.mask.FilamentSegmenter;
+import io.github.knotresolver.model.Cleaning;
 import io.github.knotresolver.model.Segmentation;
 import io.github.knotresolver.skeleton.Skeletonize;
-
-import io.github.knotresolver.Drawn;
 
 /** Drawn movies as the tracking sees them. */
 final class DrawnFrames {
@@ -45,9 +44,8 @@ final class DrawnFrames {
 				.segment(new FrameCleaner(Cleaning.DEFAULT).clean(drawn.movie().frame(t)));
 			final NormalizedFrame light = new NormalizedFrame(DrawnMovie.SIZE, DrawnMovie.SIZE,
 				Pixels.doubles(drawn.movie().frame(t)))
-					.rescaled(BACKGROUND, 1 / fading.applyAsDouble(t));
-			frames.add(
-				new FrameView(t + 1, light, mask, SkeletonGraph.of(Skeletonize.thin(mask))));
+				.rescaled(BACKGROUND, 1 / fading.applyAsDouble(t));
+			frames.add(new FrameView(t + 1, light, mask, SkeletonGraph.of(Skeletonize.thin(mask))));
 		}
 		return frames;
 	}
@@ -59,8 +57,7 @@ final class DrawnFrames {
 	static FrameView lines(final int frame, final Polyline... curves) {
 		final int width = 130, height = 110;
 		final Img<BitType> skeleton = Drawn.skeleton(width, height, curves);
-		return new FrameView(frame,
-			new NormalizedFrame(width, height, Pixels.doubles(skeleton)), skeleton,
-			SkeletonGraph.of(skeleton));
+		return new FrameView(frame, new NormalizedFrame(width, height, Pixels.doubles(skeleton)),
+			skeleton, SkeletonGraph.of(skeleton));
 	}
 }

@@ -51,9 +51,11 @@ class EndPathsTest {
 	@Test
 	void aJumpIsFollowed() {
 		final IntFunction<Point> clamp = t -> t < 18 ? new Point(20, 50) : new Point(29, 44);
-		assertFollows(clamp, EndPaths
-			.past(ends(List.of(clamp, EndPathsTest::tip)), new Point(21, 50), 8, Progress.NONE)
-			.orElseThrow(), FRAMES);
+		assertFollows(clamp,
+			EndPaths
+				.past(ends(List.of(clamp, EndPathsTest::tip)), new Point(21, 50), 8, Progress.NONE)
+				.orElseThrow(),
+			FRAMES);
 	}
 
 	@Test

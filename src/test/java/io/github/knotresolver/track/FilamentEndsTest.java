@@ -30,8 +30,8 @@ class FilamentEndsTest {
 		assertFalse(ends.clamped());
 		assertFalse(ends.reversed());
 		assertEquals(18, ends.slid(), 1e-9);
-		assertTrue(FilamentEnds.of(chains.stream().map(Chain::reversed).toList(),
-			AnchorChoice.AUTO).reversed());
+		assertTrue(FilamentEnds.of(chains.stream().map(Chain::reversed).toList(), AnchorChoice.AUTO)
+			.reversed());
 	}
 
 	@Test
@@ -54,8 +54,8 @@ class FilamentEndsTest {
 		assertFalse(ends.clamped());
 		assertTrue(ends.slid() > 60, "it is carried towards its first end");
 		assertFalse(ends.reversed());
-		assertTrue(FilamentEnds.of(chains.stream().map(Chain::reversed).toList(),
-			AnchorChoice.AUTO).reversed());
+		assertTrue(FilamentEnds.of(chains.stream().map(Chain::reversed).toList(), AnchorChoice.AUTO)
+			.reversed());
 	}
 
 	@Test
@@ -64,8 +64,8 @@ class FilamentEndsTest {
 		for (int t = 0; t < 30; t++)
 			chains.add(onRing(0.05 * t));
 		assertFalse(FilamentEnds.of(chains, AnchorChoice.AUTO).reversed());
-		assertTrue(FilamentEnds.of(chains.stream().map(Chain::reversed).toList(),
-			AnchorChoice.AUTO).reversed());
+		assertTrue(FilamentEnds.of(chains.stream().map(Chain::reversed).toList(), AnchorChoice.AUTO)
+			.reversed());
 	}
 
 	/** A part of a ring whose trailing end sways. */

@@ -14,10 +14,10 @@ import java.util.Set;
 import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.Drawn;
 import io.github.knotresolver.candidate.CandidateGenerator;
@@ -48,11 +48,10 @@ class FitResolverTest {
 		final Map<Integer, Polyline> corrections) {
 		try (Workers workers = new Workers(1)) {
 			return new FitResolver(generator, EnumSet.of(LINE.kind()), LengthModel.AUTO, workers,
-				Progress.NONE)
-					.learn(frames, first.start(), OptionalDouble.empty()).orElseThrow()
-					.solve(Settings.DEFAULT.edit().corrections(corrections).build().constraints(),
-						workers, Progress.NONE)
-					.frames();
+				Progress.NONE).learn(frames, first.start(), OptionalDouble.empty()).orElseThrow()
+				.solve(Settings.DEFAULT.edit().corrections(corrections).build().constraints(),
+					workers, Progress.NONE)
+				.frames();
 		}
 	}
 
@@ -148,8 +147,8 @@ class FitResolverTest {
 	private static double worstStart(final List<Chain> truth, final List<Observation> found) {
 		double worst = 0;
 		for (int t = 0; t < truth.size(); t++)
-			worst = Math.max(worst, found.get(t).contour().orElseThrow().first()
-				.distanceTo(truth.get(t).start()));
+			worst = Math.max(worst,
+				found.get(t).contour().orElseThrow().first().distanceTo(truth.get(t).start()));
 		return worst;
 	}
 
@@ -174,8 +173,7 @@ class FitResolverTest {
 	@ParameterizedTest
 	@ValueSource(ints = {9, 15, 20})
 	void aClampThatJumpsIsFollowed(final int frame) {
-		final List<Chain> truth = carried(
-			t -> t < frame ? new Point(0, 0) : new Point(6, -7));
+		final List<Chain> truth = carried(t -> t < frame ? new Point(0, 0) : new Point(6, -7));
 		final List<Observation> found = resolve(DrawnFrames.of(truth, LINE, t -> 1),
 			TrailCandidates.DEFAULT, truth.get(0), Map.of());
 		assertFollows(truth, found);

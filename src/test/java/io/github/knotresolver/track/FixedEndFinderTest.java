@@ -72,7 +72,8 @@ class FixedEndFinderTest {
 
 	@Test
 	void withoutAFilamentThereIsNone() {
-		assertEquals(true, new FixedEndFinder(List.of(DrawnFrames.lines(1), DrawnFrames.lines(2)),
-			Progress.NONE).find().isEmpty());
+		assertEquals(true,
+			new FixedEndFinder(List.of(DrawnFrames.lines(1), DrawnFrames.lines(2)), Progress.NONE)
+				.find().isEmpty());
 	}
 }

@@ -47,8 +47,8 @@ class MotionPriceTest {
 		final Chain there = loop(0, 1), moved = loop(5, 1), other = loop(0, -1);
 		assertTrue(there.distance(other) < 9, "the loops lie near each other");
 		assertTrue(usual.between(there, other) > 5 * usual.between(there, moved),
-			usual.between(there, other) + " for the other way round, "
-				+ usual.between(there, moved) + " for usual motion");
+			usual.between(there, other) + " for the other way round, " + usual.between(there, moved)
+				+ " for usual motion");
 	}
 
 	@ParameterizedTest
@@ -94,8 +94,8 @@ class MotionPriceTest {
 	void withoutMotionToLearnFromPricesAreFinite() {
 		for (final List<List<Fit>> none : List.of(List.<List<Fit>>of(), List.of(List.<Fit>of()),
 			List.of(List.of(fit(loop(0, 1), 0)), List.of(fit(loop(0, 1), 0)))))
-			assertTrue(Double
-				.isFinite(MotionPrice.learn(none, STILL).between(loop(0, 1), loop(30, -1))));
+			assertTrue(
+				Double.isFinite(MotionPrice.learn(none, STILL).between(loop(0, 1), loop(30, -1))));
 	}
 
 	private static Chain random(final Random random) {

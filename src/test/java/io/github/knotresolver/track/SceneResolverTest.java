@@ -10,10 +10,10 @@ import java.util.List;
 import java.util.Random;
 import java.util.Set;
 
-import org.junit.jupiter.api.Test;
-
 import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
+
+import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.LineModel;
@@ -39,7 +39,7 @@ class SceneResolverTest {
 		final NormalizedFrame dark = new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]);
 		final double[] light = new Scene(dark,
 			LineTables.together(LineModel.uniform(Kind.ADDITIVE, 1.4, 1)), chains).residual()
-				.pixels();
+			.pixels();
 		final boolean[] bright = new boolean[light.length];
 		for (int i = 0; i < light.length; i++) {
 			bright[i] = light[i] < -0.45;
@@ -87,8 +87,8 @@ class SceneResolverTest {
 	void filamentsThatCrossKeepTheirIdentitiesAndRunTheWayTheyGlide() {
 		final List<List<Chain>> movie = new ArrayList<>();
 		for (int t = 0; t < FRAMES; t++)
-			movie.add(List.of(rod(10 + 2.5 * t, 60, 0, 55),
-				rod(60 + 1.4 * t, 95 - 2 * t, -0.96, 40)));
+			movie.add(
+				List.of(rod(10 + 2.5 * t, 60, 0, 55), rod(60 + 1.4 * t, 95 - 2 * t, -0.96, 40)));
 		final SceneTracks tracks = resolve(movie);
 		assertEquals(2, tracks.filaments().size());
 		for (final Filament f : tracks.filaments()) {

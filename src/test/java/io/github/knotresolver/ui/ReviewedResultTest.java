@@ -69,9 +69,9 @@ class ReviewedResultTest {
 			assertFalse(review.isChanged());
 			assertEquals(review.model().said(),
 				CorrectionsCsv.read(result.resolve(CorrectionsCsv.FILE)));
-			assertEquals("run(\"Resolve Filament...\", \"movie=[" + movie + "] frames=1-5 corrections=["
-				+ result.resolve(CorrectionsCsv.FILE) + "] out=[" + result
-				+ "] plots=false force\");", review.macroLine());
+			assertEquals("run(\"Resolve Filament...\", \"movie=[" + movie
+				+ "] frames=1-5 corrections=[" + result.resolve(CorrectionsCsv.FILE) + "] out=["
+				+ result + "] plots=false force\");", review.macroLine());
 		}
 		final Path again = home.resolve("again");
 		run(Map.of("corrections", result.resolve(CorrectionsCsv.FILE).toString()), again);

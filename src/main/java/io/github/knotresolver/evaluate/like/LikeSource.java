@@ -37,8 +37,7 @@ public record LikeSource(Movie movie, List<Optional<Polyline>> contours, Setting
 		if (IntStream.range(1, all.size())
 			.filter(t -> all.get(t - 1).isPresent() && all.get(t).isPresent())
 			.count() < FEWEST_PAIRS)
-			throw new UserException("like has contours in fewer than "
-				+ (FEWEST_PAIRS + 1)
+			throw new UserException("like has contours in fewer than " + (FEWEST_PAIRS + 1)
 				+ " neighbouring frames, too few to see how the filament moves; resolve a longer part of the movie.");
 		micrometres(movie.calibration().unit());
 	}

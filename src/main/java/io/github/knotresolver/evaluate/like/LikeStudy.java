@@ -6,14 +6,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.Set;
 
 import io.github.knotresolver.evaluate.Evaluation;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.model.FilamentChoice;
 import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.FilamentChoice;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
@@ -89,8 +89,8 @@ public final class LikeStudy {
 	 */
 	public static void check(final int movies) {
 		if (movies < 1 || movies > MOST_MOVIES)
-			throw new UserException("movies must be a whole number from 1 to "
-				+ MOST_MOVIES + ", but is " + movies + ".");
+			throw new UserException("movies must be a whole number from 1 to " + MOST_MOVIES
+				+ ", but is " + movies + ".");
 	}
 
 	/**
@@ -197,9 +197,8 @@ public final class LikeStudy {
 		final Settings p = source.parameters();
 		final Polyline first = simulated.truth().get(0);
 		return p.edit().fixedEnd(p.fixedEnd().map(told -> first.first())).region(Optional.empty())
-			.length(p.length().isPresent()
-				? OptionalDouble.of(first.length())
-				: OptionalDouble.empty())
+			.length(
+				p.length().isPresent() ? OptionalDouble.of(first.length()) : OptionalDouble.empty())
 			.frames(Set.of()).ignoreFrames(Set.of()).corrections(Map.of())
 			.filaments(FilamentChoice.ONE).threads(1).build();
 	}

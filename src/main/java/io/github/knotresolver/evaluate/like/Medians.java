@@ -1,10 +1,10 @@
 package io.github.knotresolver.evaluate.like;
 
-import io.github.knotresolver.geometry.RobustStatistics;
-
 import java.util.Arrays;
 
 import org.apache.commons.math3.stat.descriptive.rank.Median;
+
+import io.github.knotresolver.geometry.RobustStatistics;
 
 /** Medians, and spreads that outliers leave alone. */
 final class Medians {

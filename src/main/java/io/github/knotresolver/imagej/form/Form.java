@@ -80,8 +80,8 @@ public final class Form {
 				throw new UserException("The keys '" + field.key() + "' and '" + field.name()
 					+ "' mean the same; name one of them.");
 			if (text.isEmpty() && field.kind() != FieldKind.FLAG)
-				throw new UserException(key + " needs a value, such as " + key + "=["
-					+ field.text() + "]; it must be " + field.allowed() + ".");
+				throw new UserException(key + " needs a value, such as " + key + "=[" + field.text()
+					+ "]; it must be " + field.allowed() + ".");
 			field.set(text.orElse("true"));
 		});
 	}
@@ -111,13 +111,14 @@ public final class Form {
 	 */
 	Optional<FormField> mentioned(final String sentence) {
 		final String[] words = sentence.split("[^A-Za-z_]+");
-		return Stream.concat(Stream.of(words).limit(1), Stream.of(words).filter(w -> w.contains("_")))
+		return Stream
+			.concat(Stream.of(words).limit(1), Stream.of(words).filter(w -> w.contains("_")))
 			.flatMap(word -> fields.stream().filter(f -> f.isCalled(word))).findFirst();
 	}
 
 	private FormField field(final String key) {
-		return fields.stream().filter(f -> f.isCalled(key)).findFirst().orElseThrow(
-			() -> new UserException("There is no key '" + key + "'; the keys are "
+		return fields.stream().filter(f -> f.isCalled(key)).findFirst()
+			.orElseThrow(() -> new UserException("There is no key '" + key + "'; the keys are "
 				+ fields.stream().map(FormField::key).collect(Collectors.joining(", ")) + "."));
 	}
 }

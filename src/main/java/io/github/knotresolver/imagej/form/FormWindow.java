@@ -74,7 +74,8 @@ final class FormWindow extends GenericDialog {
 	void mark(final Component component, final String sentence) {
 		if (marked.isEmpty())
 			component.requestFocus();
-		marked.putIfAbsent(component, component.isBackgroundSet() ? component.getBackground() : null);
+		marked.putIfAbsent(component,
+			component.isBackgroundSet() ? component.getBackground() : null);
 		component.setBackground(MARKED);
 		if (component instanceof TextField field)
 			field.selectAll();

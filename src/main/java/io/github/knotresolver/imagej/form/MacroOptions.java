@@ -61,8 +61,7 @@ public record MacroOptions(Map<String, Optional<String>> values) {
 					? Optional.of(resolved(key, value(key)))
 					: Optional.empty();
 				if (values.put(key, value) != null)
-					throw new UserException(
-						"The key '" + key + "' is there twice; name it once.");
+					throw new UserException("The key '" + key + "' is there twice; name it once.");
 			}
 			return values;
 		}
@@ -102,8 +101,7 @@ public record MacroOptions(Map<String, Optional<String>> values) {
 				else if (text.charAt(i) == ']' && --depth == 0)
 					return i;
 			}
-			throw new UserException(
-				"The value of " + key + " has no closing ']'; add it.");
+			throw new UserException("The value of " + key + " has no closing ']'; add it.");
 		}
 
 		private boolean isAt(final char c) {

@@ -6,7 +6,6 @@ import java.nio.file.Path;
 
 import ij.ImagePlus;
 import ij.plugin.filter.AVI_Writer;
-
 import io.github.knotresolver.model.UserException;
 
 /** An overlay stack as a film that any player and slide show takes. */

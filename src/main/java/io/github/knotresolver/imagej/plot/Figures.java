@@ -44,8 +44,8 @@ public final class Figures {
 	 */
 	public static Map<String, JFreeChart> charts(final MovieMeasurements m) {
 		final Map<String, JFreeChart> charts = new LinkedHashMap<>();
-		suppliers(m).forEach(
-			(name, chart) -> chart.get().ifPresent(present -> charts.put(name, present)));
+		suppliers(m)
+			.forEach((name, chart) -> chart.get().ifPresent(present -> charts.put(name, present)));
 		return charts;
 	}
 
@@ -82,9 +82,7 @@ public final class Figures {
 			progress.checkCancelled();
 			final boolean square = chart.getKey().equals(CONTOURS);
 			write(pictures, chart.getKey() + suffix, chart.getValue(),
-				square
-					? new Dimension(SQUARE_WIDTH, SQUARE_HEIGHT)
-					: new Dimension(WIDTH, HEIGHT));
+				square ? new Dimension(SQUARE_WIDTH, SQUARE_HEIGHT) : new Dimension(WIDTH, HEIGHT));
 		}
 		progress.report("Drawing figures", 1);
 	}

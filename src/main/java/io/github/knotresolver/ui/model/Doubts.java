@@ -20,8 +20,8 @@ final class Doubts {
 	static List<Integer> of(final FilamentTrack track, final Edits edits) {
 		return track.frames().stream().filter(Doubts::isDoubtful)
 			.filter(o -> !isChecked(track, o.frame(), edits))
-			.sorted(Comparator.comparingDouble(Doubts::certainty)
-				.thenComparingInt(Observation::frame))
+			.sorted(
+				Comparator.comparingDouble(Doubts::certainty).thenComparingInt(Observation::frame))
 			.map(Observation::frame).toList();
 	}
 

@@ -118,8 +118,8 @@ public final class ReviewModel implements AutoCloseable {
 
 	/** @return the filament that is looked at, in all frames; empty likewise */
 	public synchronized Optional<FilamentTrack> track() {
-		return tracks.flatMap(
-			t -> t.filaments().stream().filter(f -> f.id() == filament).findFirst());
+		return tracks
+			.flatMap(t -> t.filaments().stream().filter(f -> f.id() == filament).findFirst());
 	}
 
 	/** @return what was found of the filament in the frame; empty likewise */
@@ -186,8 +186,7 @@ public final class ReviewModel implements AutoCloseable {
 	}
 
 	private void say(final Kind kind, final Supplier<Optional<Polyline>> shape) {
-		edit(e -> shape.get().map(s -> e.with(new Constraint(filament, frame, kind, s)))
-			.orElse(e));
+		edit(e -> shape.get().map(s -> e.with(new Constraint(filament, frame, kind, s))).orElse(e));
 	}
 
 	/** Takes back all that was said about this filament in this frame. */
@@ -343,8 +342,8 @@ public final class ReviewModel implements AutoCloseable {
 	public synchronized Tracks atRest() throws InterruptedException {
 		while (stage.isPresent())
 			wait();
-		return tracks.orElseThrow(
-			() -> new UserException(problem.orElse("The review was closed before there was a result.")));
+		return tracks.orElseThrow(() -> new UserException(
+			problem.orElse("The review was closed before there was a result.")));
 	}
 
 	/** Stops the work in the background. */

@@ -99,7 +99,9 @@ class LikeStudyTest {
 				: new Observation(frame, FrameStatus.RESOLVED, "",
 					Optional.of(Polyline.of(new double[]{0, 50}, new double[]{0, 0})), 0, 1, 0,
 					frame % 4 == 0 ? 0.2 : 0.4));
-		return new Tracks(movie, parameters, List.of(new FilamentTrack(1, Anchor.CLAMPED, Optional.empty(), 50, 1, frames)), List.of());
+		return new Tracks(movie, parameters,
+			List.of(new FilamentTrack(1, Anchor.CLAMPED, Optional.empty(), 50, 1, frames)),
+			List.of());
 	}
 
 	@Test

@@ -102,8 +102,8 @@ public final class MeasurementAccuracyMain {
 		for (int t = 0; t < movie.truth().size(); t++) {
 			final Optional<Polyline> contour = result.tracks().only().frames().get(t).contour();
 			if (contour.isPresent())
-				coverage.add(result.filaments().get(0).measurements().orElseThrow().frames().get(t), contour.get(),
-					movie.truth().get(t), movie.movie().calibration().pixelSize());
+				coverage.add(result.filaments().get(0).measurements().orElseThrow().frames().get(t),
+					contour.get(), movie.truth().get(t), movie.movie().calibration().pixelSize());
 		}
 		return coverage;
 	}
@@ -118,9 +118,8 @@ public final class MeasurementAccuracyMain {
 	}
 
 	private static MeasuredTracks measured(final Movie movie) {
-		return MeasuredTracks
-			.of(new FilamentResolver(RunOptions.parse(Map.of()).parameters(movie)).resolve(movie,
-				Progress.NONE), Progress.NONE);
+		return MeasuredTracks.of(new FilamentResolver(RunOptions.parse(Map.of()).parameters(movie))
+			.resolve(movie, Progress.NONE), Progress.NONE);
 	}
 
 	private void oscillations(final int filaments) {
@@ -165,8 +164,9 @@ public final class MeasurementAccuracyMain {
 				ImageMovie.of(ImageFile.open(file), InputOptions.DEFAULT));
 			for (final Map.Entry<Integer, Polyline> t : truth.entrySet()) {
 				final int i = t.getKey() - 1;
-				result.tracks().only().frames().get(i).contour().ifPresent(
-					c -> coverage.add(result.filaments().get(0).measurements().orElseThrow().frames().get(i), c,
+				result.tracks().only().frames().get(i).contour()
+					.ifPresent(c -> coverage.add(
+						result.filaments().get(0).measurements().orElseThrow().frames().get(i), c,
 						t.getValue(), result.calibration().pixelSize()));
 			}
 			if (coverage.frames() == 0)

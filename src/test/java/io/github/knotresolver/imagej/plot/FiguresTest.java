@@ -196,8 +196,7 @@ class FiguresTest {
 	@Test
 	void cancelStopsDrawing() {
 		final Progress cancelled = new CancelledProgress();
-		assertThrows(CancelledException.class,
-			() -> writeAll(folder, movie(10), cancelled));
+		assertThrows(CancelledException.class, () -> writeAll(folder, movie(10), cancelled));
 	}
 
 	private static List<Path> writeAll(final Path folder, final MovieMeasurements m,

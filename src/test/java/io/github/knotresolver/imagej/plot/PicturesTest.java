@@ -27,8 +27,8 @@ class PicturesTest {
 			Files.writeString(file, "half");
 			throw new OutOfMemoryError("Java heap space");
 		});
-		pictures.draw("a.png", file -> new BufferedImage(50_000, 50_000,
-			BufferedImage.TYPE_INT_RGB));
+		pictures.draw("a.png",
+			file -> new BufferedImage(50_000, 50_000, BufferedImage.TYPE_INT_RGB));
 		pictures.draw("b.png", file -> Files.writeString(file, "drawn"));
 		assertFalse(Files.exists(folder.resolve("z.png")));
 		assertEquals("drawn", Files.readString(folder.resolve("b.png")));

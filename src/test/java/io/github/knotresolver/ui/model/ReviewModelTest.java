@@ -62,8 +62,8 @@ class ReviewModelTest {
 			else if (Double.isNaN(CONFIDENCES[t - 1]))
 				frames.add(Observation.without(t, FrameStatus.LOST, "Nothing was seen."));
 			else
-				frames.add(new Observation(t, FrameStatus.RESOLVED, "", Optional.of(SHOWN), 0, 2,
-					1, CONFIDENCES[t - 1]).withAlternatives(List.of(new Alternative(OTHER, 2))));
+				frames.add(new Observation(t, FrameStatus.RESOLVED, "", Optional.of(SHOWN), 0, 2, 1,
+					CONFIDENCES[t - 1]).withAlternatives(List.of(new Alternative(OTHER, 2))));
 		}
 		return new Tracks(MOVIE, Settings.DEFAULT.edit().constraints(said).build(),
 			List.of(new FilamentTrack(1, Anchor.CLAMPED, Optional.empty(), 29, 0.1, frames)),
@@ -110,8 +110,7 @@ class ReviewModelTest {
 			assertTrue(model.isChecked(2));
 			model.goTo(6);
 			model.take(0);
-			assertEquals(Optional.of(OTHER),
-				model.atRest().only().frames().get(5).contour());
+			assertEquals(Optional.of(OTHER), model.atRest().only().frames().get(5).contour());
 			assertEquals(List.of(5, 4), model.doubtful());
 			assertEquals(new TreeSet<>(List.of(6)), model.changed());
 			model.undo();
@@ -122,8 +121,7 @@ class ReviewModelTest {
 			assertFalse(model.canUndo());
 			model.redo();
 			model.redo();
-			assertEquals(Optional.of(OTHER),
-				model.atRest().only().frames().get(5).contour());
+			assertEquals(Optional.of(OTHER), model.atRest().only().frames().get(5).contour());
 			assertFalse(model.canRedo());
 		}
 	}
@@ -152,8 +150,9 @@ class ReviewModelTest {
 			model.through(b);
 			model.tip(a);
 			model.tip(b);
-			assertEquals(List.of(said(Kind.THROUGH, a, new Point(9, 9)),
-				said(Kind.TIP, new Point(9, 9))), model.said());
+			assertEquals(
+				List.of(said(Kind.THROUGH, a, new Point(9, 9)), said(Kind.TIP, new Point(9, 9))),
+				model.said());
 			model.contour(OTHER);
 			assertEquals(List.of(new Constraint(1, 1, Kind.CONTOUR, OTHER)), model.said());
 			model.atRest();

@@ -79,8 +79,7 @@ class ReviewRepairTest {
 			.mapToInt(Observation::frame).findFirst().orElseThrow();
 		model.goTo(wrong);
 		int course = 0;
-		while (error(model.alternatives().get(course).contour(),
-			drawn.truth().get(wrong - 1)) <= 3)
+		while (error(model.alternatives().get(course).contour(), drawn.truth().get(wrong - 1)) <= 3)
 			course++;
 		model.take(course);
 		assertTrue(errorOf(wrong) > 3, "The frame is not wrong: " + errorOf(wrong));
@@ -121,7 +120,7 @@ class ReviewRepairTest {
 		assertEquals(model.said(), CorrectionsCsv.read(file));
 		final Tracks run = new FilamentResolver(
 			SETTINGS.edit().threads(1).constraints(CorrectionsCsv.read(file)).build())
-				.resolve(drawn.movie(), Progress.NONE);
+			.resolve(drawn.movie(), Progress.NONE);
 		assertEquals(written(run, "run"), written(reviewed, "reviewed"));
 		assertNotEquals("", written(run, "run"));
 	}
