@@ -51,6 +51,7 @@ def options():
                    help="folder of render.py, score.py, consistency.py and curves")
     p.add_argument("--real", type=pathlib.Path, default=SHARED / "data" / "real", help="folder of the real movies")
     p.add_argument("--public", type=pathlib.Path, default=SHARED / "data" / "public", help="folder of other people's movies")
+    p.add_argument("--out", type=pathlib.Path, metavar="FILE", help="write the tables here")
     p.add_argument("--keep", type=pathlib.Path, metavar="DIR", help="keep the movies and results here")
     return p.parse_args()
 
@@ -296,10 +297,9 @@ whose contour is right but runs from the tip. Seconds: wall clock of resolving t
 others before, without files or plots. The paper's rendering rounds the true curve to whole pixels, so no error in it can come
 near 0.
 
-## What the figures say
-
-{KEPT[0]}{interpretation()}{KEPT[1]}
 """]
+    if movies:
+        out.append(f"## What the figures say\n\n{KEPT[0]}{interpretation()}{KEPT[1]}\n")
     real = judged_real(args, modes, files, folder, runs)
     table, judged = scored(movies, modes, folder, runs)
     if movies:
@@ -344,9 +344,10 @@ def run(args, folder):
     runs = {}
     for mode in modes:
         runs |= resolve(mode, folder, [f for f in every if mode == "default" or not is_skipped(f)])
-    out = DOCUMENT if not args.only and set(modes) == set(MODES) and set(suites) == set(SUITES) else ROOT / "target" / "benchmark.md"
+    whole = not args.only and set(modes) == set(MODES) and set(suites) == set(SUITES)
+    out = args.out or (DOCUMENT if whole else ROOT / "target" / "benchmark.md")
     out.write_text(document(args, modes, movies, (conditions, scenes), files, folder, runs), encoding="utf-8")
-    print(f"Wrote {out.relative_to(ROOT)}.")
+    print(f"Wrote {out}.")
 
 
 def prepare(bench):

@@ -124,7 +124,7 @@ class EvaluateLikeTest {
 		final Path copy = Files.createDirectory(home.resolve("copy"));
 		for (final String file : List.of("parameters.json", "contours.csv", "frames.csv"))
 			Files.writeString(copy.resolve(file), Files.readString(resolved.resolve(file))
-				.replace("movie.tif\"\n  }", "moved.tif\"\n  }"));
+				.replace("movie.tif\",\n    \"sha256\"", "moved.tif\",\n    \"sha256\""));
 		final Run run = run(Progress.NONE, "evaluate", "--like", copy.toString());
 		assertEquals(2, run.status);
 		assertEquals(
