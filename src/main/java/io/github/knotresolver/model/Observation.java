@@ -86,6 +86,16 @@ public record Observation(int frame, FrameStatus status, String reason, Optional
 	}
 
 	/**
+	 * @param better another confidence, 0..1
+	 * @param why one sentence; may be empty
+	 * @return the same with that confidence and reason
+	 */
+	public Observation withConfidence(final double better, final String why) {
+		return new Observation(frame, status, why, contour, junctions, candidates, cost, better,
+			visible, alternatives);
+	}
+
+	/**
 	 * @param share share of the filament's length inside the picture, 0..1
 	 * @return the same with that share
 	 */

@@ -1,9 +1,14 @@
 
 package io.github.knotresolver.track;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Observation;
 
 /**
  * How sure a filament's contour in a frame is: near 1 only if no other way through the movie
@@ -29,10 +34,62 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 	/** Light below this share of a strand's is hardly any. */
 	private static final double DARK = 0.35;
 
+	/** From this on nothing needs to be said. */
+	private static final double SURE = 0.9;
+
+	/** A contour is no surer than those of so many frames before and after it. */
+	private static final int NEIGHBOURS = 2;
+
+	/** What lowers a confidence, in the order of {@link #factors}. */
+	private static final List<String> WORDS = List.of(
+		"another course of the filaments explains the movie nearly as well",
+		"light around the contour is not explained", "parts of the contour run in the dark",
+		"the contour moved much farther than usual");
+
 	double value() {
-		final double explained = Math.exp(-Math.max(0, unexplained - HARMLESS) / SCALE);
-		final double steady = Math.min(1, Math.max(LEAST, (HOPELESS - haste) / (HOPELESS - USUAL)));
-		return (1 - Math.exp(-gap / GAP_SCALE)) * explained * (1 - dark) * steady;
+		return Arrays.stream(factors()).reduce(1, (a, b) -> a * b);
+	}
+
+	private double[] factors() {
+		return new double[] {1 - Math.exp(-gap / GAP_SCALE),
+			Math.exp(-Math.max(0, unexplained - HARMLESS) / SCALE), 1 - dark,
+			Math.min(1, Math.max(LEAST, (HOPELESS - haste) / (HOPELESS - USUAL)))};
+	}
+
+	/** What lowers the confidence most, in words; empty if it is high. */
+	String reason() {
+		if (value() >= SURE)
+			return "";
+		final double[] factors = factors();
+		int worst = 0;
+		for (int i = 1; i < factors.length; i++)
+			if (factors[i] < factors[worst])
+				worst = i;
+		return "Doubtful: " + WORDS.get(worst) + ".";
+	}
+
+	/**
+	 * Filaments are followed from frame to frame, so that one that has gone astray stays
+	 * astray for a while: no contour is surer than those shortly before and after it.
+	 *
+	 * @param frames a filament's observations, in order of time
+	 * @return the same with confidences that are never raised
+	 */
+	static List<Observation> together(final List<Observation> frames) {
+		final List<Observation> cautious = new ArrayList<>();
+		for (int t = 0; t < frames.size(); t++) {
+			final Observation here = frames.get(t);
+			final double least = frames
+				.subList(Math.max(0, t - NEIGHBOURS), Math.min(frames.size(), t + NEIGHBOURS + 1))
+				.stream().filter(o -> o.contour().isPresent())
+				.mapToDouble(Observation::confidence).min().orElse(1);
+			cautious.add(here.contour().isEmpty() || least >= here.confidence()
+				? here
+				: here.withConfidence(least, !here.reason().isEmpty() || least >= SURE
+					? here.reason()
+					: "Doubtful: the contour of a frame just before or after this one is."));
+		}
+		return cautious;
 	}
 
 	/** The gap that alone would give a confidence. */

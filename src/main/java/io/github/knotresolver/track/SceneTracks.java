@@ -105,7 +105,8 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 				specks++;
 			else
 				filaments.add(new Filament(ends.get(k).clamped(), chains.get(k).get(0).length(),
-					settled.get(k).lengthError(), List.copyOf(observed.get(k))));
+					settled.get(k).lengthError(),
+					SceneConfidence.together(observed.get(k))));
 		filaments.sort(ORDER);
 		final List<String> notes = new ArrayList<>(new DoubtfulEpisodes(filaments).notes());
 		if (specks > 0)
@@ -158,7 +159,8 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 				"The best contour runs in the dark for " + Math.round(100 * confidence.dark())
 					+ " % of its length.");
 		final Polyline contour = chain.contour();
-		return new Observation(frame.frame(), FrameStatus.RESOLVED, "", Optional.of(contour),
+		return new Observation(frame.frame(), FrameStatus.RESOLVED, confidence.reason(),
+			Optional.of(contour),
 			frame.graph().junctions(), 1, confidence.unexplained(), value).withVisible(visible);
 	}
 }
