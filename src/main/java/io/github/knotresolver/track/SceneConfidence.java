@@ -51,7 +51,7 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 	}
 
 	private double[] factors() {
-		return new double[] {1 - Math.exp(-gap / GAP_SCALE),
+		return new double[]{1 - Math.exp(-gap / GAP_SCALE),
 			Math.exp(-Math.max(0, unexplained - HARMLESS) / SCALE), 1 - dark,
 			Math.min(1, Math.max(LEAST, (HOPELESS - haste) / (HOPELESS - USUAL)))};
 	}
@@ -81,13 +81,14 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 			final Observation here = frames.get(t);
 			final double least = frames
 				.subList(Math.max(0, t - NEIGHBOURS), Math.min(frames.size(), t + NEIGHBOURS + 1))
-				.stream().filter(o -> o.contour().isPresent())
-				.mapToDouble(Observation::confidence).min().orElse(1);
-			cautious.add(here.contour().isEmpty() || least >= here.confidence()
-				? here
-				: here.withConfidence(least, !here.reason().isEmpty() || least >= SURE
-					? here.reason()
-					: "Doubtful: the contour of a frame just before or after this one is."));
+				.stream().filter(o -> o.contour().isPresent()).mapToDouble(Observation::confidence)
+				.min().orElse(1);
+			cautious
+				.add(here.contour().isEmpty() || least >= here.confidence()
+					? here
+					: here.withConfidence(least, !here.reason().isEmpty() || least >= SURE
+						? here.reason()
+						: "Doubtful: the contour of a frame just before or after this one is."));
 		}
 		return cautious;
 	}

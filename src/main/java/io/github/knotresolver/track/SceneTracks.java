@@ -105,8 +105,7 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 				specks++;
 			else
 				filaments.add(new Filament(ends.get(k).clamped(), chains.get(k).get(0).length(),
-					settled.get(k).lengthError(),
-					SceneConfidence.together(observed.get(k))));
+					settled.get(k).lengthError(), SceneConfidence.together(observed.get(k))));
 		filaments.sort(ORDER);
 		final List<String> notes = new ArrayList<>(new DoubtfulEpisodes(filaments).notes());
 		if (specks > 0)
@@ -160,7 +159,7 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 					+ " % of its length.");
 		final Polyline contour = chain.contour();
 		return new Observation(frame.frame(), FrameStatus.RESOLVED, confidence.reason(),
-			Optional.of(contour),
-			frame.graph().junctions(), 1, confidence.unexplained(), value).withVisible(visible);
+			Optional.of(contour), frame.graph().junctions(), 1, confidence.unexplained(), value)
+			.withVisible(visible);
 	}
 }

@@ -35,9 +35,8 @@ class SceneConfidenceTest {
 	@Test
 	void noContourIsSurerThanThoseShortlyBeforeAndAfterIt() {
 		final double[] confidence = {1, 1, 1, 0.4, 1, 0.95, 1, 1, 1, 1};
-		final List<Observation> together = SceneConfidence.together(
-			IntStream.range(0, confidence.length).mapToObj(t -> seen(t + 1, confidence[t]))
-				.toList());
+		final List<Observation> together = SceneConfidence.together(IntStream
+			.range(0, confidence.length).mapToObj(t -> seen(t + 1, confidence[t])).toList());
 		final double[] expected = {1, 0.4, 0.4, 0.4, 0.4, 0.4, 0.95, 0.95, 1, 1};
 		for (int t = 0; t < expected.length; t++)
 			assertEquals(expected[t], together.get(t).confidence(), "frame " + (t + 1));
@@ -56,6 +55,6 @@ class SceneConfidenceTest {
 
 	private static Observation seen(final int frame, final double confidence) {
 		return new Observation(frame, FrameStatus.RESOLVED, "",
-			Optional.of(Polyline.of(new double[] {0, 9}, new double[] {0, 0})), 0, 1, 0, confidence);
+			Optional.of(Polyline.of(new double[]{0, 9}, new double[]{0, 0})), 0, 1, 0, confidence);
 	}
 }
