@@ -281,10 +281,16 @@ def field_sections(field_movies, folder, runs, modes):
         yield fields.scenes_section(scenes, folder, runs, modes, markdown, text)
 
 
+def command(args):
+    """The call's arguments without the folder that was kept, which says nothing to others."""
+    kept = {"--keep", str(args.keep)} if args.keep else set()
+    return "".join(" " + shlex.quote(a) for a in sys.argv[1:] if a not in kept)
+
+
 def document(args, modes, movies, field_movies, files, folder, runs):
     out = [f"""# Benchmark
 
-Made by `scripts/benchmark{''.join(' ' + shlex.quote(a) for a in sys.argv[1:])}` with KnotResolver {version()}{commit()}, on {os.cpu_count()} cores.
+Made by `scripts/benchmark{command(args)}` with KnotResolver {version()}{commit()}, on {os.cpu_count()} cores.
 Nothing was told about any movie: no fixed end, no length, no threshold.
 
 * **published**: the published method, `--candidates paper --resolver paper --no-refine`.

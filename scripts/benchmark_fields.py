@@ -108,8 +108,9 @@ def condition_scores(movies, folder, runs, mode):
 
 def conditions_section(movies, folder, runs, modes, markdown, text):
     import conditions
+    curves = [c for c in CURVES if any(name.endswith(c) for name, *_ in movies)]
     out = ["## Conditions, one at a time\n",
-           f"Physical light (`bench/conditions.py`, 60 frames), mean over the curves {', '.join(CURVES)}; `breaks`, `leaves` and others as "
+           f"Physical light (`bench/conditions.py`, 60 frames), mean over the curves {', '.join(curves)}; `breaks`, `leaves` and others as "
            "`conditions.py list` tells. Said wrong: frames whose\nstatus is `resolved` and whose contour is wrong; silent: those of them with "
            f"confidence above {SURE:g}; percent of all frames. Filaments: how many the result has;\nthe one that agrees best with the truth counts. "
            "The published method is not run on the large fields, where it thins for minutes.\n"]
