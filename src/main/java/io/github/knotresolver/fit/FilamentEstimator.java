@@ -138,20 +138,34 @@ public final class FilamentEstimator {
 			progress.checkCancelled();
 			final Example e = examples.get(i);
 			final NormalizedFrame frame = e.frame().rescaled(line.background(), line.amplitude());
-			final Chain start = fromSkeletons
-				? endsFree(frame, line, e,
-					FitSettings.ENDS_FREE.roughAndStiff(FitSettings.START_STIFFNESS))
-					.fit(e.chain(), Optional.empty()).chain()
-				: e.chain();
-			return new Example(e.frame(), endsFree(frame, line, e, FitSettings.ENDS_FREE)
-				.fit(start, Optional.empty()).chain());
+			return new Example(e.frame(),
+				fromSkeletons
+					? fromSkeleton(frame, line.model(), e.chain())
+					: endsFree(frame, line.model(), e.chain(), FitSettings.ENDS_FREE));
 		});
 	}
 
-	private static FilamentFitter endsFree(final NormalizedFrame frame, final Estimate line,
-		final Example example, final FitSettings settings) {
-		return new FilamentFitter(frame, line.model(), example.chain().links(), Optional.empty(),
-			settings);
+	/**
+	 * Fits a curve that comes from a skeleton, both ends and the length free: first as a
+	 * stiff filament, since a skeleton has kinks that an easily bent one would keep.
+	 *
+	 * @param frame the frame, a strand's brightness 1
+	 * @param model what a line looks like
+	 * @param start the skeleton's curve
+	 * @return the chain as fitted
+	 */
+	public static Chain fromSkeleton(final NormalizedFrame frame, final LineModel model,
+		final Chain start) {
+		return endsFree(frame, model,
+			endsFree(frame, model, start,
+				FitSettings.ENDS_FREE.roughAndStiff(FitSettings.START_STIFFNESS)),
+			FitSettings.ENDS_FREE);
+	}
+
+	private static Chain endsFree(final NormalizedFrame frame, final LineModel model,
+		final Chain start, final FitSettings settings) {
+		return new FilamentFitter(frame, model, start.links(), Optional.empty(), settings)
+			.fit(start, Optional.empty()).chain();
 	}
 
 	private static FilamentEstimate summary(final List<Example> examples, final Estimate line) {

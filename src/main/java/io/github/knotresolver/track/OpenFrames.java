@@ -1,8 +1,6 @@
 package io.github.knotresolver.track;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 
 import io.github.knotresolver.candidate.Candidate;
@@ -70,8 +68,7 @@ record OpenFrames(List<Seen> seen) {
 		final List<Optional<Seen>> seen = workers.map("Looking at open frames", progress,
 			frames.size(), t -> sets.get(t).candidates().stream().findFirst()
 				.filter(OpenFrames::isOpen).flatMap(c -> fitted(t, frames, light, c, estimate)));
-		return new OpenFrames(
-			seen.stream().flatMap(Optional::stream).filter(Objects::nonNull).toList());
+		return new OpenFrames(seen.stream().flatMap(Optional::stream).toList());
 	}
 
 	private static boolean isOpen(final Candidate best) {
@@ -88,18 +85,14 @@ record OpenFrames(List<Seen> seen) {
 			return Optional.empty();
 		final NormalizedFrame frame = light.get(t);
 		final int links = FilamentEstimator.links(estimate.length());
-		final FilamentFitter fitter = new FilamentFitter(frame, estimate.model(), links,
-			Optional.empty(), FitSettings.ENDS_FREE);
 		final EndLight ends = new EndLight(frame, estimate.model(), frame.noise());
-		final Chain first = fitter.fit(
-			new FilamentFitter(frame, estimate.model(), links, Optional.empty(),
-				FitSettings.ENDS_FREE.roughAndStiff(FitSettings.START_STIFFNESS))
-				.fit(Chain.along(contour, links, contour.length()), Optional.empty()).chain(),
-			Optional.empty()).chain();
+		final Chain first = FilamentEstimator.fromSkeleton(frame, estimate.model(),
+			Chain.along(contour, links, contour.length()));
 		final Chain settled = ends.settled(first);
 		final Chain chain = settled == first
 			? first
-			: fitter.fit(settled, Optional.empty()).chain();
+			: new FilamentFitter(frame, estimate.model(), links, Optional.empty(),
+				FitSettings.ENDS_FREE).fit(settled, Optional.empty()).chain();
 		if (Math.abs(chain.length() / contour.length() - 1) > ASTRAY
 			|| FitQuality.of(frame, estimate.model(), chain).dark() > DARK)
 			return Optional.empty();
@@ -107,17 +100,13 @@ record OpenFrames(List<Seen> seen) {
 			!FreeEnds.atBorder(frames.get(t), chain.tip())));
 	}
 
-	/** The fixed ends that were seen, one for each of {@code frames}; null where none was. */
+	/** The frames in which the fixed end was seen. */
 	List<Seen> withFixedEnd() {
 		return seen.stream().filter(Seen::fixedEndSeen).toList();
 	}
 
 	/** The frames in which both ends were seen. */
 	List<Seen> whole() {
-		final List<Seen> whole = new ArrayList<>();
-		for (final Seen s : seen)
-			if (s.isWhole())
-				whole.add(s);
-		return whole;
+		return seen.stream().filter(Seen::isWhole).toList();
 	}
 }
