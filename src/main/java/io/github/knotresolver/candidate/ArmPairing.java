@@ -10,21 +10,9 @@ import io.github.knotresolver.geometry.Point;
 /**
  * Which of the arms that meet at a junction belong together: the pairs that turn least, all
  * of them taken together. An arm may stay alone, for a price: a filament that ends there.
- * Exact, by branch and bound; at most {@value #MOST_ARMS} arms.
+ * Exact, by branch and bound; at most {@value CandidateTuning#MOST_ARMS} arms.
  */
 final class ArmPairing {
-
-	/** More arms are not paired. */
-	static final int MOST_ARMS = 14;
-
-	/** Price of an arm that stays alone; a right angle costs 1. */
-	static final double ALONE = 0.9;
-
-	/** Ends nearer to each other than this (pixels) have no direction between them. */
-	private static final double NEAR = 5;
-
-	/** A short segment is not the other end of itself. */
-	private static final double OWN_END = 5, OWN_DISTANCE = 8;
 
 	private final double[][] price;
 	private final int[] partner;
@@ -67,7 +55,7 @@ final class ArmPairing {
 	 */
 	static int[] pair(final double[][] price) {
 		final ArmPairing pairing = new ArmPairing(price);
-		if (price.length <= MOST_ARMS) {
+		if (price.length <= CandidateTuning.MOST_ARMS) {
 			final List<Integer> open = new ArrayList<>();
 			for (int i = 0; i < price.length; i++)
 				open.add(i);
@@ -81,12 +69,14 @@ final class ArmPairing {
 		final double dx = b.end.x() - a.end.x(), dy = b.end.y() - a.end.y();
 		final double distance = Math.hypot(dx, dy);
 		double turn = 1 + a.outward.x() * b.outward.x() + a.outward.y() * b.outward.y();
-		if (distance > NEAR) {
+		if (distance > CandidateTuning.ONE_PLACE) {
 			final double out = (a.outward.x() * dx + a.outward.y() * dy) / distance;
 			final double in = (b.outward.x() * dx + b.outward.y() * dy) / distance;
 			turn = 0.5 * turn + 0.5 * (1 - out + 1 + in);
 		}
-		return turn + (a.segment == b.segment && distance < OWN_DISTANCE ? OWN_END : 0);
+		return turn + (a.segment == b.segment && distance < CandidateTuning.OWN_DISTANCE
+			? CandidateTuning.OWN_END
+			: 0);
 	}
 
 	private void search(final List<Integer> open, final double sofar) {
@@ -102,7 +92,7 @@ final class ArmPairing {
 		final List<Integer> nearest = new ArrayList<>(rest);
 		nearest.sort((a, b) -> Double.compare(price[first][a], price[first][b]));
 		for (final int other : nearest) {
-			if (price[first][other] >= 2 * ALONE)
+			if (price[first][other] >= 2 * CandidateTuning.ALONE)
 				break;
 			final List<Integer> left = new ArrayList<>(rest);
 			left.remove(Integer.valueOf(other));
@@ -111,6 +101,6 @@ final class ArmPairing {
 			search(left, sofar + price[first][other]);
 		}
 		partner[first] = -1;
-		search(new ArrayList<>(rest), sofar + ALONE);
+		search(new ArrayList<>(rest), sofar + CandidateTuning.ALONE);
 	}
 }

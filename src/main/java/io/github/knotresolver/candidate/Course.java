@@ -14,16 +14,13 @@ import io.github.knotresolver.graph.Step;
  */
 record Course(Point heading, boolean pending, double turning) {
 
-	/** Shorter segments (pixels) have no direction of their own. */
-	static final double SHORT = 8;
-
 	static Course along(final Step first) {
 		return new Course(first.arrival(), false, 0);
 	}
 
 	Course then(final Step next) {
 		final boolean passed = pending || next.from().isJunction();
-		if (next.length() < SHORT)
+		if (next.length() < CandidateTuning.NO_DIRECTION)
 			return new Course(heading, passed, turning);
 		final Point d = next.departure();
 		final double turn = passed ? 1 - (heading.x() * d.x() + heading.y() * d.y()) : 0;

@@ -10,25 +10,19 @@ import io.github.knotresolver.geometry.Polyline;
  */
 final class Likeness {
 
-	/** Walks are compared at points this far apart (pixels of arc length). */
-	private static final double STEP = 4;
-
-	/** Alike walks stay this near (pixels) to each other. */
-	private static final double NEAR = 4;
-
 	private Likeness() {
 	}
 
 	static Polyline sample(final Candidate candidate) {
-		return candidate.path().every(STEP);
+		return candidate.path().every(CandidateTuning.LIKENESS_STEP);
 	}
 
 	static boolean alike(final Polyline a, final Polyline b) {
 		final int n = Math.min(a.size(), b.size());
-		if (Math.abs(a.size() - b.size()) * STEP > NEAR)
+		if (Math.abs(a.size() - b.size()) * CandidateTuning.LIKENESS_STEP > CandidateTuning.ALIKE)
 			return false;
 		for (int i = n - 1; i >= 0; i--)
-			if (Math.hypot(a.x(i) - b.x(i), a.y(i) - b.y(i)) > NEAR)
+			if (Math.hypot(a.x(i) - b.x(i), a.y(i) - b.y(i)) > CandidateTuning.ALIKE)
 				return false;
 		return true;
 	}

@@ -24,12 +24,6 @@ import io.github.knotresolver.graph.Step;
  */
 public final class SceneTrails {
 
-	/** A segment between junctions that is no longer than this (pixels) is a crossing. */
-	private static final double BRIDGE = 7;
-
-	/** So bright (in strands), a segment holds two strands, and is a crossing up to this length. */
-	private static final double DOUBLE = 1.5, DOUBLE_BRIDGE = 45;
-
 	private final SkeletonGraph graph;
 	private final int[] group;
 	private final List<Segment> segments = new ArrayList<>();
@@ -72,15 +66,17 @@ public final class SceneTrails {
 		final List<Segment> kept = new ArrayList<>();
 		for (final Segment s : graph.segments()) {
 			final boolean between = s.source().isJunction() && s.target().isJunction();
-			if (between && !s.isLoop() && (s.length() <= BRIDGE
-				|| s.length() <= DOUBLE_BRIDGE && brightness.applyAsDouble(s.curve()) > DOUBLE))
+			if (between && !s.isLoop()
+				&& (s.length() <= CandidateTuning.BRIDGE
+					|| s.length() <= CandidateTuning.DOUBLE_BRIDGE
+						&& brightness.applyAsDouble(s.curve()) > CandidateTuning.DOUBLE_STRAND))
 				group[find(s.source().id())] = find(s.target().id());
 			else
 				kept.add(s);
 		}
 		for (final Segment s : kept)
-			if (!(s.length() <= BRIDGE && s.source().isJunction() && s.target().isJunction()
-				&& find(s.source().id()) == find(s.target().id())))
+			if (!(s.length() <= CandidateTuning.BRIDGE && s.source().isJunction()
+				&& s.target().isJunction() && find(s.source().id()) == find(s.target().id())))
 				segments.add(s);
 	}
 

@@ -37,9 +37,6 @@ import io.github.knotresolver.progress.Progress;
 public record TrailCandidates(int limit, int beam, int maxUses,
 	TrailPrices prices) implements CandidateGenerator {
 
-	/** So many raw trails are looked at for each candidate that is wanted. */
-	private static final int RAW_PER_CANDIDATE = 10;
-
 	/** 40 candidates, every segment at most twice. */
 	public static final TrailCandidates DEFAULT = new TrailCandidates(40, 1000, 2,
 		TrailPrices.DEFAULT);
@@ -59,7 +56,7 @@ public record TrailCandidates(int limit, int beam, int maxUses,
 		final TrailPricing pricing = new TrailPricing(prices, visibleLength(rooted, query),
 			reachable(rooted));
 		final TrailSearch search = new TrailSearch(graph, pricing, maxUses, beam,
-			limit * RAW_PER_CANDIDATE);
+			limit * CandidateTuning.RAW_PER_CANDIDATE);
 		final List<Candidate> raw = search.run(beginnings(rooted, query), progress);
 		return new CandidateSet(different(raw), search.limited());
 	}

@@ -6,9 +6,6 @@ import java.util.OptionalDouble;
 /** Prices trails of one graph, finished ones and those under way. */
 final class TrailPricing {
 
-	/** A trail is not cut this near (pixels) to a node. */
-	static final double SHORTEST_CUT = 1;
-
 	private final TrailPrices weights;
 	private final OptionalDouble known;
 	private final double total;
@@ -49,9 +46,10 @@ final class TrailPricing {
 		if (known.isEmpty())
 			return OptionalDouble.empty();
 		final double end = known.getAsDouble() - trail.lengthBefore();
-		return end >= SHORTEST_CUT && end <= trail.lastLength() - SHORTEST_CUT
-			? OptionalDouble.of(end)
-			: OptionalDouble.empty();
+		return end >= CandidateTuning.SHORTEST_CUT
+			&& end <= trail.lastLength() - CandidateTuning.SHORTEST_CUT
+				? OptionalDouble.of(end)
+				: OptionalDouble.empty();
 	}
 
 	private double boundBeyond(final Trail trail) {

@@ -23,12 +23,6 @@ final class GraphDraft {
 	static final Comparator<Point> SCAN_ORDER = Comparator.comparingDouble(Point::y)
 		.thenComparingDouble(Point::x);
 
-	/** A loop this short (pixels) is a notch of the junction, not a loop. */
-	private static final double NOTCH = 5;
-
-	/** A spur whose tip is this near (pixels) to a point to keep is kept. */
-	private static final double KEPT = 4;
-
 	/** A node that may still change its kind. Equal to itself only. */
 	static final class Vertex {
 
@@ -104,7 +98,8 @@ final class GraphDraft {
 	void clean(final double spurLength, final Collection<Point> keep) {
 		for (final Chain c : List.copyOf(graph.edgeSet()))
 			if (graph.getEdgeSource(c) == graph.getEdgeTarget(c)
-				&& graph.getEdgeSource(c).kind == Kind.JUNCTION && c.line().length() < NOTCH)
+				&& graph.getEdgeSource(c).kind == Kind.JUNCTION
+				&& c.line().length() < GraphTuning.NOTCH)
 				graph.removeEdge(c);
 		for (final Vertex v : List.copyOf(graph.vertexSet()))
 			settle(v);
@@ -125,7 +120,7 @@ final class GraphDraft {
 		if ((a.kind == Kind.FREE_END) == (b.kind == Kind.FREE_END))
 			return false;
 		final Vertex tip = a.kind == Kind.FREE_END ? a : b;
-		return keep.stream().noneMatch(k -> k.distanceTo(tip.position) < KEPT);
+		return keep.stream().noneMatch(k -> k.distanceTo(tip.position) < GraphTuning.KEPT);
 	}
 
 	private void prune(final Chain spur) {

@@ -20,20 +20,6 @@ import io.github.knotresolver.graph.Node.Kind;
  */
 public record RootedGraph(SkeletonGraph graph, List<Node> roots) {
 
-	/** A free end this near (pixels) may be where the filament is held. */
-	private static final double NEAR = 12;
-
-	/**
-	 * A free end this much farther (pixels) than the nearest segment still wins.
-	 */
-	private static final double PREFERENCE = 5;
-
-	/** A node this near (pixels) is not split off once more. */
-	private static final double SAME = 2;
-
-	/** Thinning takes no more than this (pixels) off an end. */
-	private static final double HALF_WIDTH = 5;
-
 	public RootedGraph {
 		roots = List.copyOf(roots);
 	}
@@ -52,13 +38,15 @@ public record RootedGraph(SkeletonGraph graph, List<Node> roots) {
 		if (inside.isEmpty())
 			return new RootedGraph(graph, List.of());
 		final List<Node> near = graph.freeEnds().stream()
-			.filter(n -> n.position().distanceTo(fixedEnd) <= NEAR).sorted(nearest).toList();
-		if (!near.isEmpty()
-			&& near.get(0).position().distanceTo(fixedEnd) <= inside.get().distance + PREFERENCE)
+			.filter(n -> n.position().distanceTo(fixedEnd) <= GraphTuning.CLAMP_REACH)
+			.sorted(nearest).toList();
+		if (!near.isEmpty() && near.get(0).position().distanceTo(fixedEnd) <= inside.get().distance
+			+ GraphTuning.END_PREFERENCE)
 			return new RootedGraph(graph, near);
 		final Place place = inside.get();
 		final Optional<Node> existing = graph.nodes().stream()
-			.filter(n -> n.position().distanceTo(place.point()) <= SAME).min(nearest);
+			.filter(n -> n.position().distanceTo(place.point()) <= GraphTuning.SAME_NODE)
+			.min(nearest);
 		return existing.isPresent()
 			? rooted(graph, existing.get(), near)
 			: divided(graph, place, near);
@@ -75,7 +63,7 @@ public record RootedGraph(SkeletonGraph graph, List<Node> roots) {
 	public double hidden(final Point fixedEnd) {
 		return roots.isEmpty() || !roots.get(0).isFreeEnd()
 			? 0
-			: Math.min(HALF_WIDTH, roots.get(0).position().distanceTo(fixedEnd));
+			: Math.min(GraphTuning.MOST_HIDDEN, roots.get(0).position().distanceTo(fixedEnd));
 	}
 
 	private static RootedGraph rooted(final SkeletonGraph graph, final Node first,

@@ -12,15 +12,6 @@ import io.github.knotresolver.geometry.Smoothing;
  */
 public final class Segment {
 
-	/** Smoothing of the pixel staircase, in pixels. */
-	private static final double SIGMA = 1.5;
-
-	/** A junction bends the skeleton this near to it (pixels). */
-	private static final double DISTORTED = 3;
-
-	/** Tangents are taken over this much of the curve (pixels). */
-	private static final double TANGENT = 9;
-
 	private final int id;
 	private final Node source;
 	private final Node target;
@@ -39,7 +30,7 @@ public final class Segment {
 		this.source = source;
 		this.target = target;
 		this.chain = chain;
-		curve = chain.size() > 2 ? Smoothing.gaussian(chain, SIGMA) : chain;
+		curve = chain.size() > 2 ? Smoothing.gaussian(chain, GraphTuning.STAIRCASE) : chain;
 		sourceTangent = tangent(curve);
 		targetTangent = tangent(curve.reversed());
 	}
@@ -49,8 +40,8 @@ public final class Segment {
 	 * beyond the reach of the junction.
 	 */
 	private static Point tangent(final Polyline curve) {
-		final double from = Math.min(DISTORTED, curve.length() / 4);
-		final Point a = curve.at(from), b = curve.at(from + TANGENT);
+		final double from = Math.min(GraphTuning.JUNCTION_BEND, curve.length() / 4);
+		final Point a = curve.at(from), b = curve.at(from + GraphTuning.TANGENT);
 		final double d = a.distanceTo(b);
 		return d > 0 ? new Point((b.x() - a.x()) / d, (b.y() - a.y()) / d) : new Point(0, 0);
 	}

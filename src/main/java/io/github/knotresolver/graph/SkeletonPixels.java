@@ -16,9 +16,6 @@ import net.imglib2.view.Views;
  */
 final class SkeletonPixels {
 
-	/** A 3x3 sum, centre included, from which on a pixel is a branch pixel. */
-	private static final int BRANCH_SUM = 4;
-
 	private static final int[] DX = {-1, 0, 1, -1, 1, -1, 0, 1};
 	private static final int[] DY = {-1, -1, -1, 0, 0, 1, 1, 1};
 
@@ -40,7 +37,7 @@ final class SkeletonPixels {
 			set[i] = cursor.next().get();
 		branch = new boolean[set.length];
 		for (int i = 0; i < set.length; i++)
-			branch[i] = set[i] && neighbours(i, set).size() + 1 >= BRANCH_SUM;
+			branch[i] = set[i] && neighbours(i, set).size() + 1 >= GraphTuning.BRANCH_SUM;
 	}
 
 	int x(final int pixel) {

@@ -16,12 +16,6 @@ import io.github.knotresolver.progress.Cancellation;
 /** Moves the outline of a mask to where the frame turns dark. */
 public final class ChanVese {
 
-	/** Pixels that a speed of 1 moves the front in one iteration. */
-	private static final double STEP = 0.5;
-
-	/** Pixels that the front moves in one iteration at most. */
-	private static final double LONGEST_STEP = 0.5;
-
 	private ChanVese() {
 	}
 
@@ -80,7 +74,7 @@ public final class ChanVese {
 			final int at = field.front(i);
 			final double data = means.likeness(values[at]);
 			final double speed = data - contractionBias - smoothFactor * field.curvature(at);
-			steps[i] = (float) within(LONGEST_STEP, STEP * speed);
+			steps[i] = (float) within(MaskTuning.LONGEST_STEP, MaskTuning.TIME_STEP * speed);
 		}
 		return steps;
 	}

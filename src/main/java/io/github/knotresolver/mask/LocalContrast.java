@@ -10,9 +10,6 @@ import io.github.knotresolver.image.Pixels;
 /** Makes a dim end as bright as the rest, and the glow in a loop dark. */
 public final class LocalContrast {
 
-	/** Share of the frame's contrast below which a local one means nothing. */
-	private static final double LEAST = 0.2;
-
 	private LocalContrast() {
 	}
 
@@ -47,7 +44,7 @@ public final class LocalContrast {
 		final int width = Pixels.width(frame);
 		final WindowMeans bright = new WindowMeans(values, inside, true, width);
 		final WindowMeans dark = new WindowMeans(values, inside, false, width);
-		final double least = LEAST * (bright.all() - dark.all());
+		final double least = MaskTuning.LEAST_CONTRAST * (bright.all() - dark.all());
 		final float[] normalized = new float[values.length];
 		for (int at = 0; at < values.length; at++) {
 			final double high = lower(bright.all(), bright.around(at, radius));

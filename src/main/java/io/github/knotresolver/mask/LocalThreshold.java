@@ -21,13 +21,10 @@ public final class LocalThreshold implements Thresholder {
 	/** Half the edge of the window in pixels: about a filament's width. */
 	public static final int RADIUS = 5;
 
-	private static final int ROUNDS = 3;
-	private static final double HALF_WAY = 0.5;
-
 	@Override
 	public Seed seed(final RandomAccessibleInterval<FloatType> frame) {
 		Seed seed = new Otsu().seed(frame);
-		for (int round = 0; round < ROUNDS; round++)
+		for (int round = 0; round < MaskTuning.THRESHOLD_ROUNDS; round++)
 			seed = refined(frame, seed.mask());
 		return seed;
 	}
@@ -36,6 +33,6 @@ public final class LocalThreshold implements Thresholder {
 		final RandomAccessibleInterval<BitType> mask) {
 		final Img<FloatType> even = LocalContrast.normalize(frame,
 			MaskRepair.removeSpecks(mask, FilamentSegmenter.SPECK), RADIUS);
-		return new Seed(even, FixedThreshold.above(even, HALF_WAY));
+		return new Seed(even, FixedThreshold.above(even, MaskTuning.HALF_WAY));
 	}
 }

@@ -23,17 +23,6 @@ import io.github.knotresolver.progress.Workers;
  */
 public final class AppearanceFinder {
 
-	/** Frames that are looked at: as many as have so many pixels together, within limits. */
-	private static final double PIXELS = 1e6;
-	private static final int FEWEST = 4, MOST = 8;
-
-	/** Pixels around what was found that are looked at again: as many as noise is measured in. */
-	private static final int MARGIN = 48;
-
-	/** Rounds in which the width is measured; it changes by this factor at most in each. */
-	private static final int ROUNDS = 2;
-	private static final double FACTOR = 1.5, LEAST_FACTOR = 0.5;
-
 	private final Workers workers;
 	private final Progress progress;
 
@@ -74,9 +63,10 @@ public final class AppearanceFinder {
 				}
 			if (left > right)
 				return this;
-			final int x = Math.max(0, left - MARGIN), y = Math.max(0, top - MARGIN);
-			final int columns = Math.min(width, right + MARGIN) - x;
-			final int rows = Math.min(height, bottom + MARGIN) - y;
+			final int x = Math.max(0, left - SkeletonTuning.LOOK_MARGIN),
+				y = Math.max(0, top - SkeletonTuning.LOOK_MARGIN);
+			final int columns = Math.min(width, right + SkeletonTuning.LOOK_MARGIN) - x;
+			final int rows = Math.min(height, bottom + SkeletonTuning.LOOK_MARGIN) - y;
 			return new Sample(
 				frames.stream().map(frame -> part(frame, y * width + x, columns, rows)).toList(),
 				columns);
@@ -130,8 +120,8 @@ public final class AppearanceFinder {
 	}
 
 	private static List<Integer> spread(final List<Integer> frames, final int pixels) {
-		final int count = Math.min(frames.size(),
-			Math.max(FEWEST, Math.min(MOST, (int) (PIXELS / pixels))));
+		final int count = Math.min(frames.size(), Math.max(SkeletonTuning.FEWEST_LOOKS,
+			Math.min(SkeletonTuning.MOST_LOOKS, (int) (SkeletonTuning.LOOKED_AT / pixels))));
 		return IntStream.range(0, count).mapToObj(
 			i -> frames.get(count == 1 ? 0 : (int) ((long) i * (frames.size() - 1) / (count - 1))))
 			.toList();
@@ -142,7 +132,7 @@ public final class AppearanceFinder {
 		final List<Look> first = looks(whole, rough);
 		final Sample sample = whole.around(first, rough.binning());
 		LineAppearance appearance = withWidth(rough, first);
-		for (int round = 1; round < ROUNDS; round++)
+		for (int round = 1; round < SkeletonTuning.WIDTH_ROUNDS; round++)
 			appearance = withWidth(appearance, looks(sample, appearance));
 		final double[] clarities = looks(sample, appearance).stream().mapToDouble(Look::clarity)
 			.filter(c -> c > 0).toArray();
@@ -158,8 +148,9 @@ public final class AppearanceFinder {
 		final double width = CrossProfile.width(looks.stream().map(Look::profile).toList());
 		if (Double.isNaN(width))
 			return before;
-		final double factor = Math.min(Math.max(width / LineAppearance.FULL_WIDTH, LEAST_FACTOR),
-			FACTOR);
+		final double factor = Math.min(
+			Math.max(width / LineAppearance.FULL_WIDTH, SkeletonTuning.MOST_NARROWING),
+			SkeletonTuning.MOST_WIDENING);
 		return LineAppearance.of(before.polarity(), factor * before.sigma());
 	}
 

@@ -18,30 +18,6 @@ import io.github.knotresolver.mask.RidgeMask;
  */
 public final class EvidenceFinder {
 
-	/** Shortest part in line widths (standard deviations): at first, before gaps are closed, in the end. */
-	private static final double FIRST = 7, BEFORE_JOINING = 5, SHORTEST = 7;
-
-	/** Side branches shorter than this many line widths are spurs. */
-	private static final double SPUR = 3;
-
-	/** A part of which more than this is an edge is no line. */
-	private static final double EDGE = 0.6;
-
-	/** Side branches of beads are no longer than this many line widths, ... */
-	private static final double BEAD = 12;
-
-	/** ... chains of beads are no longer than this, and not the longest part of the frame, ... */
-	private static final double CHAIN = 24;
-
-	/** ... and more than this part of them, or of a part of its own, is near the middles of round spots. */
-	private static final double OF_BEADS = 0.7;
-
-	/** Every part must be as sure as this as a whole. */
-	private static final double SURE = 5;
-
-	/** The mask reaches this many line widths to both sides of the skeleton. */
-	private static final double REACH = 1.6;
-
 	private final LineAppearance appearance;
 
 	/** @param appearance what the movie's lines look like */
@@ -76,26 +52,29 @@ public final class EvidenceFinder {
 	private LinePixels lines(final Img<BitType> mask, final Ridges ridges) {
 		final LinePixels line = new LinePixels(mask);
 		final double s = appearance.workingSigma();
-		LineParts.keep(line, part -> part.length >= FIRST * s);
+		LineParts.keep(line, part -> part.length >= SkeletonTuning.FIRST_LENGTH * s);
 		final FreeEnds ends = new FreeEnds(ridges);
 		ends.trim(line);
-		Spurs.prune(line, (int) Math.ceil(SPUR * s));
-		Spurs.prune(line, (int) Math.ceil(BEAD * s),
+		Spurs.prune(line, (int) Math.ceil(SkeletonTuning.SPUR * s));
+		Spurs.prune(line, (int) Math.ceil(SkeletonTuning.BEAD_BRANCH * s),
 			branch -> isOfBeads(EvidenceFinder.inside(line, branch), ridges));
 		ends.trim(line);
 		final boolean[] edges = edges(ridges);
 		final int longest = LineParts.of(line).stream().mapToInt(p -> p.length).max().orElse(0);
 		LineParts.keep(line,
-			part -> part.length >= BEFORE_JOINING * s
-				&& LineParts.count(part, at -> edges[at]) <= EDGE * part.length
-				&& !(part.length < Math.min(CHAIN * s, longest) && isOfBeads(part, ridges)));
+			part -> part.length >= SkeletonTuning.LENGTH_BEFORE_JOINING * s
+				&& LineParts.count(part, at -> edges[at]) <= SkeletonTuning.EDGE_SHARE * part.length
+				&& !(part.length < Math.min(SkeletonTuning.BEAD_CHAIN * s, longest)
+					&& isOfBeads(part, ridges)));
 		new GapJoiner(ridges).join(line);
-		LineParts.keep(line, part -> part.length >= SHORTEST * s && Surety.of(part, ridges) > SURE);
+		LineParts.keep(line, part -> part.length >= SkeletonTuning.LENGTH_IN_THE_END * s
+			&& Surety.of(part, ridges) > SkeletonTuning.SURE_PART);
 		return line;
 	}
 
 	private static boolean isOfBeads(final int[] pixels, final Ridges ridges) {
-		return LineParts.count(pixels, ridges::isNearBlob) > OF_BEADS * pixels.length;
+		return LineParts.count(pixels, ridges::isNearBlob) > SkeletonTuning.BEAD_SHARE
+			* pixels.length;
 	}
 
 	static int[] inside(final LinePixels line, final int[] part) {
@@ -122,7 +101,8 @@ public final class EvidenceFinder {
 		final boolean[] core = line.bits(), wide = Pixels.bits(mask);
 		for (int at = 0; at < core.length; at++)
 			if (core[at])
-				mark(near, width, at, (int) Math.ceil(REACH * appearance.blurredSigma()));
+				mark(near, width, at,
+					(int) Math.ceil(SkeletonTuning.MASK_REACH * appearance.blurredSigma()));
 		for (int at = 0; at < near.length; at++)
 			near[at] = near[at] && wide[at] || core[at];
 		return Pixels.mask(near, width);

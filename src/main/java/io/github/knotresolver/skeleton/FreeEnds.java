@@ -10,36 +10,23 @@ import io.github.knotresolver.image.Ridges;
  */
 final class FreeEnds {
 
-	/** A free end lies where the contrast is this part ... */
-	private static final double SHARE = 0.5;
-
-	/** ... of this quantile of what follows within so many line widths. */
-	private static final double QUANTILE = 0.75, AHEAD = 3;
-
-	/** How far, in the same stretches, an end may be moved. */
-	private static final double FARTHEST = 3;
-
-	/** A faint tail is one weaker than this many times its noise, or this part of what is usual. */
-	private static final double FAINT = 5, FAINT_SHARE = 0.5;
-
-	/** A tail must be as sure as this as a whole. */
-	private static final double SURE = 3;
-
 	private final Ridges ridges;
 	private final int ahead;
 	private final double faint;
 
 	FreeEnds(final Ridges ridges) {
 		this.ridges = ridges;
-		ahead = Math.max(1, (int) (AHEAD * ridges.appearance().blurredSigma()));
-		faint = Math.min(FAINT, FAINT_SHARE * ridges.appearance().clarity());
+		ahead = Math.max(1,
+			(int) (SkeletonTuning.END_STRETCH * ridges.appearance().blurredSigma()));
+		faint = Math.min(SkeletonTuning.FAINT_TAIL,
+			SkeletonTuning.FAINT_SHARE * ridges.appearance().clarity());
 	}
 
 	/** Cuts the free ends of a line. O(ends * line width). */
 	void trim(final LinePixels line) {
 		for (final int end : line.ends()) {
-			final int[] path = line.walk(end,
-				(int) Math.ceil(FARTHEST * AHEAD * ridges.appearance().blurredSigma()));
+			final int[] path = line.walk(end, (int) Math.ceil(SkeletonTuning.END_FARTHEST
+				* SkeletonTuning.END_STRETCH * ridges.appearance().blurredSigma()));
 			final int tail = tail(line, path);
 			for (int i = 0; i < Math.max(tail, beyond(line, path, tail)); i++)
 				line.remove(path[i]);
@@ -52,7 +39,10 @@ final class FreeEnds {
 		for (int i = 0; i < path.length; i++) {
 			final double z = ridges.z(line.inside(path[i]));
 			if (z >= faint)
-				return i > 0 && Surety.of(sum / i, i, ridges.appearance()) < SURE ? i : 0;
+				return i > 0
+					&& Surety.of(sum / i, i, ridges.appearance()) < SkeletonTuning.SURE_TAIL
+						? i
+						: 0;
 			sum += z;
 		}
 		return 0;
@@ -63,7 +53,7 @@ final class FreeEnds {
 		final double[] drops = Arrays.stream(path).mapToDouble(at -> ridges.drop(line.inside(at)))
 			.toArray();
 		int i = from;
-		while (i < path.length - 1 && drops[i] < SHARE * quantile(drops, i))
+		while (i < path.length - 1 && drops[i] < SkeletonTuning.END_SHARE * quantile(drops, i))
 			i++;
 		return i;
 	}
@@ -72,7 +62,7 @@ final class FreeEnds {
 		final double[] part = Arrays.copyOfRange(drops, from,
 			Math.min(drops.length, from + ahead + 1));
 		Arrays.sort(part);
-		final double place = QUANTILE * (part.length - 1);
+		final double place = SkeletonTuning.END_QUANTILE * (part.length - 1);
 		final int below = (int) place;
 		return part[below]
 			+ (place - below) * (part[Math.min(below + 1, part.length - 1)] - part[below]);

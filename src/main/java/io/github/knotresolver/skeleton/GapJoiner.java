@@ -11,27 +11,12 @@ import io.github.knotresolver.image.Ridges;
 /** Joins free ends that face each other across a gap with some light in it. */
 final class GapJoiner {
 
-	/** The widest gap, in line widths (standard deviations). */
-	private static final double REACH = 8;
-
-	/** Ends closer than this (pixels) touch anyway. */
-	private static final double TOUCHING = 1.5;
-
-	/** Cosine of how far an end may look past the other. */
-	private static final double FACING = 0.8;
-
-	/** An end's direction is that of this many pixels. */
-	private static final int DIRECTION = 7;
-
-	/** The light in a gap must be as sure as this as a whole. */
-	private static final double SURE = 1.5;
-
 	private final Ridges ridges;
 	private final double reach;
 
 	GapJoiner(final Ridges ridges) {
 		this.ridges = ridges;
-		reach = REACH * ridges.appearance().workingSigma();
+		reach = SkeletonTuning.GAP_REACH * ridges.appearance().workingSigma();
 	}
 
 	private record End(int at, int x, int y, double dx, double dy) {
@@ -59,7 +44,7 @@ final class GapJoiner {
 	private List<End> ends(final LinePixels line) {
 		final List<End> ends = new ArrayList<>();
 		for (final int at : line.ends()) {
-			final int[] path = line.walk(at, DIRECTION);
+			final int[] path = line.walk(at, SkeletonTuning.GAP_DIRECTION);
 			final int x = line.inside(at) % line.width(), y = line.inside(at) / line.width();
 			double dx = 0, dy = 0;
 			for (final int p : path) {
@@ -79,8 +64,9 @@ final class GapJoiner {
 			for (int j = i + 1; j < ends.size() && ends.get(j).x - ends.get(i).x < reach; j++) {
 				final End a = ends.get(i), b = ends.get(j);
 				final double dx = b.x - a.x, dy = b.y - a.y, d = Math.hypot(dx, dy);
-				if (d > TOUCHING && d < reach && a.dx * dx + a.dy * dy > FACING * d
-					&& -b.dx * dx - b.dy * dy > FACING * d)
+				if (d > SkeletonTuning.TOUCHING && d < reach
+					&& a.dx * dx + a.dy * dy > SkeletonTuning.FACING * d
+					&& -b.dx * dx - b.dy * dy > SkeletonTuning.FACING * d)
 					gaps.add(new Gap(d, a, b));
 			}
 		return gaps;
@@ -93,6 +79,6 @@ final class GapJoiner {
 			places[i] = (int) Math.rint(gap.a.y + (double) i * (gap.b.y - gap.a.y) / steps)
 				* ridges.width()
 				+ (int) Math.rint(gap.a.x + (double) i * (gap.b.x - gap.a.x) / steps);
-		return Surety.of(places, ridges) > SURE;
+		return Surety.of(places, ridges) > SkeletonTuning.SURE_GAP;
 	}
 }

@@ -6,12 +6,6 @@ import io.github.knotresolver.image.Ridges;
 /** How sure a stretch of line is as a whole, however faint each of its pixels. */
 final class Surety {
 
-	/** What noise gives on average: the largest of eight directions. */
-	private static final double OF_NOISE = 1.5;
-
-	/** Filters whose places are this many standard deviations apart see other noise. */
-	private static final double INDEPENDENT = 3;
-
 	private Surety() {
 	}
 
@@ -21,7 +15,8 @@ final class Surety {
 	 * @return what is above noise, over its own standard deviation
 	 */
 	static double of(final double z, final double length, final LineAppearance appearance) {
-		return (z - OF_NOISE) * Math.sqrt(length / (INDEPENDENT * appearance.filterSigma()));
+		return (z - SkeletonTuning.MEAN_OF_NOISE)
+			* Math.sqrt(length / (SkeletonTuning.INDEPENDENT * appearance.filterSigma()));
 	}
 
 	/** @param places of a stretch's pixels, row by row */

@@ -22,7 +22,7 @@ class ArmPairingTest {
 		if (first == used.length)
 			return 0;
 		used[first] = true;
-		double best = ArmPairing.ALONE + bruteForce(price, used, first + 1);
+		double best = CandidateTuning.ALONE + bruteForce(price, used, first + 1);
 		for (int other = first + 1; other < used.length; other++)
 			if (!used[other]) {
 				used[other] = true;
@@ -48,7 +48,7 @@ class ArmPairingTest {
 			double found = 0;
 			for (int i = 0; i < n; i++)
 				if (partner[i] < 0)
-					found += ArmPairing.ALONE;
+					found += CandidateTuning.ALONE;
 				else {
 					assertEquals(i, partner[partner[i]], "seed " + seed);
 					found += price[i][partner[i]] / 2;

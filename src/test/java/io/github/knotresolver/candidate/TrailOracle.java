@@ -77,7 +77,7 @@ final class TrailOracle {
 		boolean junction = false;
 		for (int i = 1; i < trail.size(); i++) {
 			junction |= trail.get(i).from().isJunction();
-			if (trail.get(i).length() < Course.SHORT)
+			if (trail.get(i).length() < CandidateTuning.NO_DIRECTION)
 				continue;
 			final Point a = trail.get(before).arrival(), b = trail.get(i).departure();
 			if (junction)
