@@ -12,7 +12,6 @@ import org.scijava.widget.FileWidget;
 import ij.WindowManager;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.ui.ReviewWindow;
 import io.github.knotresolver.ui.Reviews;
 
 /**
@@ -22,16 +21,17 @@ import io.github.knotresolver.ui.Reviews;
 @Plugin(type = Command.class, label = "Correct Frame...", attrs = @Attr(name = "no-legacy"))
 public class CorrectFrameCommand extends KnotCommand {
 
-	@Parameter(label = "Result (folder)", description = "What Resolve Filament wrote with Out; empty if the active image is being reviewed", style = FileWidget.DIRECTORY_STYLE, required = false, persist = false)
+	@Parameter(label = "Result (folder)", description = "What Resolve Filament wrote with Out; empty for what it just found in the active image", style = FileWidget.DIRECTORY_STYLE, required = false, persist = false)
 	private File result;
 
 	@Override
 	void work(final Progress progress) throws IOException {
-		if (result == null && ReviewWindow.toFront(WindowManager.getCurrentImage()))
+		if (result == null && Reviews.ofImage(WindowManager.getCurrentImage(), true, () -> {
+		}))
 			return;
 		if (result == null)
 			throw new UserException(
-				"result is missing, and the active image is not being reviewed; name the folder that Resolve Filament wrote.");
+				"result is missing, and the active image has no result in memory; name the folder that Resolve Filament wrote.");
 		Reviews.open(result.toPath(), true, progress, () -> {
 		});
 	}

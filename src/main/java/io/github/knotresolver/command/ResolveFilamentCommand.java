@@ -43,6 +43,8 @@ import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.run.Outcome;
 import io.github.knotresolver.run.ResolveRun;
 import io.github.knotresolver.run.ResultSink;
+import io.github.knotresolver.ui.KeptSession;
+import io.github.knotresolver.ui.LiveResult;
 
 /**
  * {@code Resolve Filament...}: finds one ordered contour per frame in a movie
@@ -205,7 +207,11 @@ public class ResolveFilamentCommand extends KnotCommand {
 	void work(final Progress progress) throws IOException {
 		final long start = System.nanoTime();
 		final ImagePlus input = input(progress);
-		final ResolveRun run = ResolveRun.of(texts(input));
+		final Map<String, String> texts = texts(input);
+		final ResolveRun run = ResolveRun.of(texts);
+		final KeptSession session = new KeptSession();
+		if (engine == Engine.PIPELINE && !GraphicsEnvironment.isHeadless())
+			engine = session;
 		final ImageSource source = ImageSource.of(input);
 		final Outcome outcome = out == null
 			? run.read(source, progress).resolve(engine, ResultSink.NONE, progress)
@@ -216,8 +222,12 @@ public class ResolveFilamentCommand extends KnotCommand {
 		show(input, result, rois);
 		resolution = result.tracks();
 		report(outcome, System.nanoTime() - start);
-		if (!GraphicsEnvironment.isHeadless())
-			ImageView.front(input, result.tracks());
+		if (GraphicsEnvironment.isHeadless())
+			return;
+		ImageView.front(input, result.tracks());
+		if (engine == session && input.getWindow() != null)
+			LiveResult.keep(input, new LiveResult(result.tracks(), session, texts,
+				Optional.ofNullable(out).map(File::toPath)));
 	}
 
 	private Outcome intoFolder(final ResolveRun run, final ImageSource source,

@@ -42,6 +42,29 @@ public final class Crossings {
 			.map(Crossing::point).toList();
 	}
 
+	/**
+	 * O(nm) in the numbers of links, with an early bounding-box test.
+	 *
+	 * @param a a curve
+	 * @param b another
+	 * @return whether a link of one crosses a link of the other, away from their ends
+	 */
+	public static boolean isBetween(final Polyline a, final Polyline b) {
+		for (int i = 0; i < a.size() - 1; i++) {
+			final Point p = a.point(i), q = a.point(i + 1);
+			for (int j = 0; j < b.size() - 1; j++) {
+				if (Math.max(b.x(j), b.x(j + 1)) < Math.min(p.x(), q.x())
+					|| Math.min(b.x(j), b.x(j + 1)) > Math.max(p.x(), q.x()))
+					continue;
+				final Point r = b.point(j), s = b.point(j + 1);
+				if (Orientation.of(p, q, r) * Orientation.of(p, q, s) < 0
+					&& Orientation.of(r, s, p) * Orientation.of(r, s, q) < 0)
+					return true;
+			}
+		}
+		return false;
+	}
+
 	private static boolean boxesMeet(final NodedCurve v, final int i, final int j) {
 		final Point a = v.node(i), b = v.node(i + 1), c = v.node(j), d = v.node(j + 1);
 		return Math.max(c.x(), d.x()) >= Math.min(a.x(), b.x()) && //

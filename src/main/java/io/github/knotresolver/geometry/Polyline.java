@@ -121,6 +121,27 @@ public final class Polyline {
 		return arc[i];
 	}
 
+	/**
+	 * O(n).
+	 *
+	 * @param place anywhere
+	 * @return its distance to the nearest point of the curve, between the vertices, too
+	 */
+	public double distanceTo(final Point place) {
+		double nearest = place.distanceTo(first());
+		for (int i = 1; i < size(); i++)
+			nearest = Math.min(nearest, distance(point(i - 1), point(i), place));
+		return nearest;
+	}
+
+	private static double distance(final Point a, final Point b, final Point p) {
+		final double dx = b.x() - a.x(), dy = b.y() - a.y(), square = dx * dx + dy * dy;
+		final double along = square == 0
+			? 0
+			: Math.max(0, Math.min(1, ((p.x() - a.x()) * dx + (p.y() - a.y()) * dy) / square));
+		return p.distanceTo(new Point(a.x() + along * dx, a.y() + along * dy));
+	}
+
 	/** @return the same points from last to first */
 	public Polyline reversed() {
 		final int n = size();

@@ -3,6 +3,7 @@ package io.github.knotresolver.imagej;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -71,6 +72,26 @@ public final class ReviewPictures {
 			overlay.add(piece);
 		}
 		return overlay;
+	}
+
+	/**
+	 * @param tracks the result
+	 * @param track the filament under review
+	 * @param frame from 1
+	 * @return thin lines without a position: the other filaments in their colours
+	 */
+	public static List<Roi> others(final Tracks tracks, final FilamentTrack track,
+		final int frame) {
+		final List<Roi> lines = new ArrayList<>();
+		for (final FilamentTrack other : tracks.filaments())
+			if (other.id() != track.id())
+				other.frames().get(frame - 1).contour().ifPresent(c -> {
+					final Roi line = RoiConverter.polyline(c);
+					line.setStrokeColor(ContourPainter.colour(tracks, other).apply(0.5));
+					line.setUnscalableStrokeWidth(1);
+					lines.add(line);
+				});
+		return lines;
 	}
 
 	/**

@@ -26,8 +26,9 @@ import io.github.knotresolver.options.RunOptions;
  * {@code corrections.csv}: what a person says about frames, one row a point:
  * {@code filament,frame,kind,index,x_px,y_px}. {@code kind} is {@code contour} (the
  * whole curve, fixed end first), {@code through} (passes here), {@code tip} (ends
- * here) or {@code not} (not this curve; an {@code index} that begins anew is another
- * one). A file without {@code filament} and {@code kind}, such as one with
+ * here), {@code not} (not this curve; an {@code index} that begins anew is another
+ * one), {@code swap} (from here on exchanged with the filament that passes the second
+ * place) or {@code checked} (what was found here is right, and passes these places). A file without {@code filament} and {@code kind}, such as one with
  * {@code frame,index,x_px,y_px}, holds contours of filament 1.
  */
 public final class CorrectionsCsv {

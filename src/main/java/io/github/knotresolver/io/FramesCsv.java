@@ -12,7 +12,6 @@ import java.util.TreeMap;
 import org.apache.commons.csv.CSVPrinter;
 
 import io.github.knotresolver.measure.Quantity;
-import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.options.OptionText;
 
@@ -47,7 +46,8 @@ public final class FramesCsv {
 					text(frame, Quantity.TIP_ANGLE), tracked.junctions(), tracked.crossings(),
 					tracked.candidates(), NumberText.significant(tracked.cost()),
 					NumberText.significant(tracked.confidence()), result.calibration().unit(),
-					frame.filament(), visible(tracked), checked(tracked));
+					frame.filament(), visible(tracked),
+					result.tracks().isChecked(frame.filament(), tracked) ? 1 : 0);
 			}
 		}
 	}
@@ -112,10 +112,6 @@ public final class FramesCsv {
 			case ABSENT -> "0";
 			case UNRESOLVED, LOST, IGNORED -> "";
 		};
-	}
-
-	private static int checked(final Observation tracked) {
-		return tracked.status() == FrameStatus.CORRECTED ? 1 : 0;
 	}
 
 	private static String text(final MeasuredFrame frame, final Quantity quantity) {

@@ -43,6 +43,27 @@ public record Tracks(Movie movie, Settings settings, List<FilamentTrack> filamen
 		return filaments.get(0);
 	}
 
+	/**
+	 * @param said all that a person says about frames, which leaves the result as it is
+	 * @return the same with settings that say so
+	 */
+	public Tracks saying(final List<Constraint> said) {
+		return new Tracks(movie, settings.edit().constraints(said).build(), filaments, notes);
+	}
+
+	/**
+	 * O(n) in the number of constraints.
+	 *
+	 * @param filament number of a filament
+	 * @param found what was found of it in a frame
+	 * @return whether a person has found that right: gave it, chose it, or left it as it is
+	 */
+	public boolean isChecked(final int filament, final Observation found) {
+		return found.status() == FrameStatus.CORRECTED || settings.constraints().stream()
+			.anyMatch(c -> c.frame() == found.frame() && c.filament() == filament
+				&& c.confirms(found.contour()));
+	}
+
 	/** @return how many frames have a contour of any filament */
 	public int resolved() {
 		int resolved = 0;

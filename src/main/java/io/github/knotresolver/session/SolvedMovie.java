@@ -112,8 +112,10 @@ final class SolvedMovie {
 			? of(scene.get(), notes)
 			: List.of(one(told, notes, workers, progress));
 		told.constraints().forEach(c -> requireFilament(c, filaments.size()));
-		return new Tracks(movie, told, filaments.stream().map(prepared.pixels()::out)
-			.map(f -> given(f, told.constraints())).toList(), notes);
+		final List<FilamentTrack> exchanged = Exchanges.in(
+			filaments.stream().map(prepared.pixels()::out).toList(), told.constraints());
+		return new Tracks(movie, told,
+			exchanged.stream().map(f -> given(f, told.constraints())).toList(), notes);
 	}
 
 	private List<FilamentTrack> of(final SceneTracks found, final List<String> notes) {
@@ -127,7 +129,10 @@ final class SolvedMovie {
 		final Progress progress) {
 		told.constraints().forEach(c -> requireFilament(c, 1));
 		final Found found = single.orElseThrow()
-			.resolve(prepared.pixels().in(told.constraints()), workers, progress)
+			.resolve(
+				prepared.pixels().in(told.constraints().stream()
+					.filter(c -> c.kind().isOfContour()).toList()),
+				workers, progress)
 			.orElseThrow(() -> nothingFound(movie));
 		if (found.frames().stream().allMatch(f -> f.contour().isEmpty()))
 			throw nothingFound(movie);
@@ -138,27 +143,41 @@ final class SolvedMovie {
 
 	/** Contours that the user gave stand, also where nothing was to be seen. */
 	private FilamentTrack given(final FilamentTrack track, final List<Constraint> constraints) {
-		final Map<Integer, Polyline> contours = new HashMap<>();
+		final Map<Integer, List<Constraint>> said = new HashMap<>();
 		for (final Constraint c : constraints)
-			if (c.filament() == track.id()) {
-				if (c.kind() == Constraint.Kind.CONTOUR)
-					contours.put(c.frame(), c.shape());
-				else if (scene.isPresent())
-					throw new UserException("The correction of frame " + c.frame()
-						+ " is of the kind " + c.kind().label()
-						+ ", but where several filaments are resolved, corrections are whole contours; draw the whole contour.");
+			if (c.filament() == track.id() && c.kind().isOfContour()) {
+				requireFollowed(c);
+				said.computeIfAbsent(c.frame(), f -> new ArrayList<>()).add(c);
 			}
 		return new FilamentTrack(track.id(), track.anchor(), track.fixedEnd(), track.length(),
 			track.lengthError(), track.frames().stream()
-				.map(o -> given(o, Optional.ofNullable(contours.get(o.frame())))).toList());
+				.map(o -> given(o, said.getOrDefault(o.frame(), List.of()))).toList());
 	}
 
-	private static Observation given(final Observation found, final Optional<Polyline> contour) {
-		return contour.isEmpty() || found.status() == FrameStatus.CORRECTED
-			|| found.status() == FrameStatus.IGNORED
-				? found
-				: new Observation(found.frame(), FrameStatus.CORRECTED, "Given by the user.",
-					contour, found.junctions(), 1, 0, 1);
+	/** A scene knows one course for each frame. */
+	private void requireFollowed(final Constraint c) {
+		if (scene.isPresent()
+			&& (c.kind() == Constraint.Kind.THROUGH || c.kind() == Constraint.Kind.TIP))
+			throw new UserException("The correction of frame " + c.frame() + " is of the kind "
+				+ c.kind().label()
+				+ ", but where several filaments are resolved, corrections are whole contours; draw the whole contour.");
+	}
+
+	private Observation given(final Observation found, final List<Constraint> said) {
+		if (found.status() == FrameStatus.CORRECTED || found.status() == FrameStatus.IGNORED)
+			return found;
+		final Optional<Polyline> contour = said.stream()
+			.filter(c -> c.kind() == Constraint.Kind.CONTOUR).map(Constraint::shape)
+			.reduce((first, last) -> last);
+		if (contour.isPresent())
+			return new Observation(found.frame(), FrameStatus.CORRECTED, "Given by the user.",
+				contour, found.junctions(), 1, 0, 1);
+		final boolean refused = scene.isPresent()
+			&& said.stream().anyMatch(c -> found.contour().filter(c::refuses).isPresent());
+		return refused
+			? Observation.without(found.frame(), FrameStatus.UNRESOLVED,
+				"The user refused the only course that was found; draw the contour.")
+			: found;
 	}
 
 	private List<Observation> everyFrame(final Collection<Observation> found) {

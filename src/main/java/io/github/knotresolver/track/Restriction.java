@@ -5,7 +5,6 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 import io.github.knotresolver.fit.Chain;
-import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.Constraint.Kind;
@@ -47,10 +46,10 @@ record Restriction(List<Constraint> constraints, double sigma) {
 	private boolean isMetBy(final Polyline contour, final double slack) {
 		final double reach = slack * Math.max(LEAST, WIDTHS * sigma);
 		return constraints.stream().allMatch(c -> switch (c.kind()) {
-			case CONTOUR -> true;
+			case CONTOUR, SWAP, CHECKED -> true;
 			case TIP -> contour.last().distanceTo(c.shape().first()) <= reach;
 			case THROUGH -> IntStream.range(0, c.shape().size())
-				.allMatch(i -> distance(contour, c.shape().point(i)) <= reach);
+				.allMatch(i -> contour.distanceTo(c.shape().point(i)) <= reach);
 			case NOT -> slack > 1 || differs(contour, c.shape());
 		});
 	}
@@ -59,21 +58,6 @@ record Restriction(List<Constraint> constraints, double sigma) {
 		final int links = Math.max(2, (int) Math.min(contour.length(), refused.length()) / 2);
 		return Chain.along(contour, links, contour.length())
 			.distance(Chain.along(refused, links, refused.length())) > VISIBLE;
-	}
-
-	private static double distance(final Polyline contour, final Point place) {
-		double nearest = Double.POSITIVE_INFINITY;
-		for (int i = 1; i < contour.size(); i++)
-			nearest = Math.min(nearest, distance(contour.point(i - 1), contour.point(i), place));
-		return nearest;
-	}
-
-	private static double distance(final Point a, final Point b, final Point p) {
-		final double dx = b.x() - a.x(), dy = b.y() - a.y(), square = dx * dx + dy * dy;
-		final double along = square == 0
-			? 0
-			: Math.max(0, Math.min(1, ((p.x() - a.x()) * dx + (p.y() - a.y()) * dy) / square));
-		return p.distanceTo(new Point(a.x() + along * dx, a.y() + along * dy));
 	}
 
 	/** @return what is said of a frame whose contour is as the user said */

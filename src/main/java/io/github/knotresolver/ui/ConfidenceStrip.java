@@ -13,6 +13,7 @@ import java.util.Locale;
 import java.util.Set;
 
 import javax.swing.JComponent;
+import javax.swing.Timer;
 import javax.swing.ToolTipManager;
 
 import io.github.knotresolver.imagej.ReviewPictures;
@@ -30,7 +31,13 @@ final class ConfidenceStrip extends JComponent {
 		NONE = new Color(0x58, 0x58, 0x58), CHANGED = new Color(0x56, 0xb4, 0xe9),
 		CHECKED = new Color(0x56, 0xb4, 0xe9);
 
+	/** How long a change is seen to flash. */
+	private static final int FLASHES = 12, FLASH_MILLIS = 80;
+
 	private final transient ReviewModel model;
+	private final Timer flash = new Timer(FLASH_MILLIS, e -> fade());
+	private transient Set<Integer> flashed = Set.of();
+	private int bright;
 
 	ConfidenceStrip(final ReviewModel model) {
 		this.model = model;
@@ -50,6 +57,23 @@ final class ConfidenceStrip extends JComponent {
 		addMouseMotionListener(mouse);
 		setName("confidence");
 		ToolTipManager.sharedInstance().registerComponent(this);
+	}
+
+	/** Shows what the model says now; frames that changed flash. */
+	void refresh() {
+		final Set<Integer> changed = model.changed();
+		if (!changed.equals(flashed)) {
+			flashed = changed;
+			bright = changed.isEmpty() ? 0 : FLASHES;
+			flash.start();
+		}
+		repaint();
+	}
+
+	private void fade() {
+		if (--bright <= 0)
+			flash.stop();
+		repaint();
 	}
 
 	@Override
@@ -86,7 +110,7 @@ final class ConfidenceStrip extends JComponent {
 		for (int frame = 1; frame <= confidences.length; frame++) {
 			final int left = left(frame), width = Math.max(1, left(frame + 1) - left);
 			if (changed.contains(frame)) {
-				g.setColor(CHANGED.darker().darker());
+				g.setColor(mixed(CHANGED.darker().darker(), CHANGED, bright / (double) FLASHES));
 				g.fillRect(left, 0, width, getHeight());
 			}
 			paintColumn(g, confidences[frame - 1], left, width, mark);
@@ -118,6 +142,13 @@ final class ConfidenceStrip extends JComponent {
 		final int height = (int) Math.max(2, Math.rint(confidence * room));
 		g.setColor(ReviewPictures.colour(confidence));
 		g.fillRect(left, mark + 1 + room - height, width - gap, height);
+	}
+
+	private static Color mixed(final Color a, final Color b, final double share) {
+		final double f = Math.max(0, Math.min(1, share));
+		return new Color((int) (a.getRed() + f * (b.getRed() - a.getRed())),
+			(int) (a.getGreen() + f * (b.getGreen() - a.getGreen())),
+			(int) (a.getBlue() + f * (b.getBlue() - a.getBlue())));
 	}
 
 	private void paintPlace(final Graphics2D g) {

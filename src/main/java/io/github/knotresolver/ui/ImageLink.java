@@ -80,6 +80,8 @@ final class ImageLink implements ImageListener, MouseListener, MouseMotionListen
 				.shown().flatMap(Observation::contour).map(c -> ReviewPictures
 					.overlay(model.tracks().orElseThrow(), model.track().orElseThrow(), c))
 				.orElseGet(Overlay::new);
+			model.track().ifPresent(t -> ReviewPictures
+				.others(model.tracks().orElseThrow(), t, model.frame()).forEach(overlay::add));
 			dashed.ifPresent(c -> overlay.add(ReviewPictures.dashed(c)));
 			image.setOverlay(overlay);
 		} finally {
@@ -161,10 +163,8 @@ final class ImageLink implements ImageListener, MouseListener, MouseMotionListen
 		if (done.contour().at(done.held()).distanceTo(place) * canvas.getMagnification() < REACH
 			/ 2)
 			show(Optional.empty());
-		else if (done.isOfTip())
-			model.tip(place);
 		else
-			model.through(place);
+			model.drag(done, place);
 	}
 
 	@Override

@@ -2,6 +2,7 @@ package io.github.knotresolver.ui;
 
 import java.awt.FlowLayout;
 import java.awt.event.ActionEvent;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -11,6 +12,7 @@ import javax.swing.BoxLayout;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
 import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
 
@@ -18,6 +20,8 @@ import ij.ImagePlus;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.imagej.RoiConverter;
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.ui.model.ReviewModel;
 
 /** What a person can do in a review: each by a button and by a key. */
@@ -57,6 +61,9 @@ final class ReviewActions {
 		correct.add("Not this one", "X", "The contour that is shown is wrong", model::refuse);
 		correct.add("Draw", "D", "The image's line selection is the whole contour, fixed end first",
 			this::draw);
+		correct.add("Swap with...", "O",
+			"From this frame on, this filament is another one, and that one is this",
+			() -> exchange(correct.panel));
 		correct.add("Withdraw", "W", "Forget all that was said about this frame", model::withdraw);
 		go.add("Previous doubtful", "P", "The more doubtful frame before", model::previousDoubtful);
 		go.add("Next doubtful", "N", "The least certain frame, then the others",
@@ -91,6 +98,22 @@ final class ReviewActions {
 	private void atPoint(final Consumer<Point> word) {
 		RoiConverter.point(image.getRoi()).ifPresentOrElse(word, () -> say
 			.accept("Click the place with ImageJ's point tool first, or drag the contour there."));
+	}
+
+	/** With the only other filament, or with one that is chosen from a list. */
+	private void exchange(final JComponent place) {
+		final List<Integer> others = model.tracks().map(Tracks::filaments).orElse(List.of())
+			.stream().map(FilamentTrack::id).filter(id -> id != model.filament()).toList();
+		if (others.isEmpty())
+			say.accept("There is no other filament to swap with.");
+		else if (others.size() == 1)
+			model.exchange(others.get(0));
+		else {
+			final JPopupMenu menu = new JPopupMenu();
+			others.forEach(id -> menu.add("Filament " + id)
+				.addActionListener(e -> model.exchange(id)));
+			menu.show(place, 0, place.getHeight());
+		}
 	}
 
 	private void draw() {

@@ -36,6 +36,7 @@ import io.github.knotresolver.model.Alternative;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.ui.model.ReviewModel;
 
 /**
@@ -60,6 +61,7 @@ public final class ReviewWindow {
 	private final JLabel headline = new JLabel(" "), status = new JLabel(" ");
 	private final JTextArea frame = new JTextArea(2, 40);
 	private final ConfidenceStrip strip;
+	private final MeetingStrip meetings;
 	private final Thumbnails alternatives = new Thumbnails(this::hover),
 		neighbours = new Thumbnails(contour -> {
 		});
@@ -75,8 +77,9 @@ public final class ReviewWindow {
 		model = result.model();
 		pictures = new ReviewPictures(model.movie());
 		strip = new ConfidenceStrip(model);
+		meetings = new MeetingStrip(model);
 		link = new ImageLink(image, result.channel(), model, () -> leave(false));
-		window = new JFrame("Review " + result.folder().getFileName());
+		window = new JFrame("Review " + result.name());
 		keys = new ImageKeys(image, window.getRootPane());
 	}
 
@@ -132,7 +135,10 @@ public final class ReviewWindow {
 		final JPanel all = new JPanel(new BorderLayout(4, 4));
 		all.setBorder(BorderFactory.createEmptyBorder(8, 8, 8, 8));
 		all.add(headline, BorderLayout.NORTH);
-		all.add(strip, BorderLayout.CENTER);
+		final JPanel strips = new JPanel(new BorderLayout());
+		strips.add(strip, BorderLayout.CENTER);
+		strips.add(meetings, BorderLayout.SOUTH);
+		all.add(strips, BorderLayout.CENTER);
 		all.add(below, BorderLayout.SOUTH);
 		window.setContentPane(all);
 		window.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
@@ -190,11 +196,11 @@ public final class ReviewWindow {
 		headline.setText(ReviewWords.headline(model));
 		frame.setText(ReviewWords.frame(model));
 		if (saving.get() == 0)
-			status.setText(model.problem().orElse(model.stage().map(s -> s + " ...")
-				.orElse(result.isChanged() ? "Corrections are not saved yet." : " ")));
+			status.setText(ReviewWords.status(model, result.isChanged()));
 		link.show(Optional.empty());
 		model.track().ifPresent(t -> showPictures(model.tracks().orElseThrow(), t));
-		strip.repaint();
+		strip.refresh();
+		meetings.refresh();
 	}
 
 	private void showPictures(final Tracks tracks, final FilamentTrack track) {
@@ -241,11 +247,19 @@ public final class ReviewWindow {
 	}
 
 	private void save() {
-		if (saving.getAndIncrement() > 0) {
-			saving.decrementAndGet();
-			return;
+		if (saving.get() == 0 && hasFolder()) {
+			saving.set(1);
+			SavedResult.inBackground(result, this::say, () -> saving.set(0));
 		}
-		SavedResult.inBackground(result, this::say, () -> saving.set(0));
+	}
+
+	private boolean hasFolder() {
+		try {
+			return result.folder().isPresent() || SavedResult.chooseFolder(result, window);
+		} catch (final UserException e) {
+			say(e.getMessage());
+			return false;
+		}
 	}
 
 	/** Closes; asks first whether to save what was said, if a person can still choose. */
@@ -254,11 +268,13 @@ public final class ReviewWindow {
 			return;
 		if (result.isChanged()) {
 			final int answer = JOptionPane.showConfirmDialog(window,
-				"Save the corrections of " + result.folder().getFileName() + "?", "Review",
+				"Save the corrections of " + result.name() + "?", "Review",
 				canStay ? JOptionPane.YES_NO_CANCEL_OPTION : JOptionPane.YES_NO_OPTION);
 			if (canStay && answer != JOptionPane.YES_OPTION && answer != JOptionPane.NO_OPTION)
 				return;
 			if (answer == JOptionPane.YES_OPTION) {
+				if (!hasFolder() && canStay)
+					return;
 				SavedResult.inBackground(result, this::say, () -> {
 					if (!result.isChanged())
 						end();

@@ -39,6 +39,18 @@ final class ReviewWords {
 			.count();
 	}
 
+	/** What is going on, or is still to do. */
+	static String status(final ReviewModel model, final boolean changed) {
+		if (model.problem().isPresent())
+			return model.problem().get();
+		if (model.stage().isPresent())
+			return (model.isReady() || model.tracks().isEmpty()
+				? ""
+				: "Look at the frames meanwhile; they can be corrected when this is done: ")
+				+ model.stage().get() + " ...";
+		return changed ? "Corrections are not saved yet." : " ";
+	}
+
 	/** The frame in one line. */
 	static String frame(final ReviewModel model) {
 		return model.shown().map(o -> {

@@ -9,12 +9,15 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 
+import ij.ImagePlus;
 import ij.plugin.frame.Recorder;
 import io.github.knotresolver.imagej.FolderSink;
 import io.github.knotresolver.imagej.ImageSource;
 import io.github.knotresolver.io.CorrectionsCsv;
 import io.github.knotresolver.io.EarlierCorrections;
+import io.github.knotresolver.io.FinishedTracks;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.io.RunIdentity;
@@ -28,37 +31,35 @@ import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.run.ResolveRun;
 import io.github.knotresolver.session.Session;
 import io.github.knotresolver.ui.model.ReviewModel;
+import io.github.knotresolver.ui.model.Solver;
 
-/** A finished result folder that is reviewed, and written again. */
+/** A result that is reviewed and written: that of a finished folder, or one in memory. */
 public final class ReviewedResult implements AutoCloseable {
 
 	private static final String CORRECTIONS = "corrections";
 
-	private final Path folder;
-	private final RunIdentity identity;
+	private final Map<String, String> given;
 	private final ImageSource source;
-	private final Movie movie;
 	private final ReviewModel model;
+	private Optional<Path> folder;
 	/** What is in the file of corrections as far as it is known here. */
 	private Optional<String> file;
 	private List<Constraint> saved;
 
-	private ReviewedResult(final Path folder, final RunIdentity identity, final Progress progress)
-		throws IOException {
+	private ReviewedResult(final Map<String, String> texts, final ImageSource source,
+		final ReviewModel model, final Optional<Path> folder) throws IOException {
+		given = new TreeMap<>(texts);
+		given.values().removeIf(text -> text == null || text.isBlank());
+		given.keySet().removeAll(List.of(CORRECTIONS, "threads"));
+		this.source = source;
+		this.model = model;
 		this.folder = folder;
-		this.identity = identity;
-		source = ImageSource.of(identity.movie());
-		final RunOptions options = RunOptions.parse(identity.given());
-		movie = source.read(options.input(), progress);
 		file = text();
-		final List<Constraint> before = EarlierCorrections.of(folder);
-		model = new ReviewModel(movie,
-			new Session(movie, options.settings(movie, List.of()))::solve, before);
 		saved = model.said();
 	}
 
 	/**
-	 * Reads movie and corrections of a result, and begins to solve.
+	 * Reads movie, result and corrections of a folder, and begins to solve.
 	 *
 	 * @param folder a folder that {@code resolve} wrote
 	 * @param progress may cancel the reading
@@ -69,6 +70,21 @@ public final class ReviewedResult implements AutoCloseable {
 	public static ReviewedResult open(final Path folder, final Progress progress)
 		throws IOException {
 		final Path absolute = folder.toAbsolutePath().normalize();
+		final RunIdentity identity = identity(folder, absolute, progress);
+		final ImageSource source = ImageSource.of(identity.movie());
+		final RunOptions options = RunOptions.parse(identity.given());
+		final Movie movie = source.read(options.input(), progress);
+		final Solver solver = new Session(movie, options.settings(movie, List.of()))::solve;
+		final List<Constraint> before = EarlierCorrections.of(absolute);
+		return new ReviewedResult(identity.given(), source,
+			FinishedTracks.read(absolute, movie, options.settings(movie, before))
+				.map(t -> ReviewModel.finished(t, solver))
+				.orElseGet(() -> new ReviewModel(movie, solver, before)),
+			Optional.of(absolute));
+	}
+
+	private static RunIdentity identity(final Path folder, final Path absolute,
+		final Progress progress) throws IOException {
 		if (ResultKind.of(absolute).filter(k -> k == ResultKind.RESOLUTION).isEmpty())
 			throw new UserException("result " + folder
 				+ " is no folder that 'resolve' wrote; name one that holds contours.csv and parameters.json.");
@@ -82,22 +98,53 @@ public final class ReviewedResult implements AutoCloseable {
 			.equals(identity.sha256()))
 			throw new UserException("The movie " + identity.movie() + " is not the one of result "
 				+ folder + " any more; resolve it again.");
-		return new ReviewedResult(absolute, identity, progress);
+		return identity;
 	}
 
-	/** @return the folder, absolute */
-	public Path folder() {
+	/**
+	 * @param live a result in memory
+	 * @param image the image that was resolved
+	 * @return its review; words can follow at once
+	 * @throws IOException if the files of its folder cannot be read
+	 */
+	public static ReviewedResult of(final LiveResult live, final ImagePlus image)
+		throws IOException {
+		return new ReviewedResult(live.texts(), ImageSource.of(image),
+			ReviewModel.live(live.tracks(), live.session()),
+			live.folder().map(f -> f.toAbsolutePath().normalize()));
+	}
+
+	/** @return the folder, absolute; empty as long as the result was never written */
+	public synchronized Optional<Path> folder() {
 		return folder;
 	}
 
-	/** @return the movie's file, absolute */
-	public Path file() {
-		return identity.movie();
+	/**
+	 * @param chosen where a result is written that never was: a new folder, or an empty one
+	 * @throws UserException if there is a result already
+	 */
+	public synchronized void chooseFolder(final Path chosen) {
+		if (folder.isPresent())
+			return;
+		if (ResultKind.of(chosen).isPresent())
+			throw new UserException(
+				"The folder " + chosen + " holds a result already; choose another one.");
+		folder = Optional.of(chosen.toAbsolutePath().normalize());
+	}
+
+	/** @return what the result is called */
+	public String name() {
+		return folder().map(f -> f.getFileName().toString()).orElse(model.movie().name());
+	}
+
+	/** @return the movie's file, absolute; empty if it has none */
+	public Optional<Path> file() {
+		return source.file();
 	}
 
 	/** @return the channel that was resolved, from 1 */
 	public int channel() {
-		return RunOptions.parse(identity.given()).input().channel();
+		return RunOptions.parse(given).input().channel();
 	}
 
 	/** @return what is shown and said */
@@ -112,31 +159,67 @@ public final class ReviewedResult implements AutoCloseable {
 
 	/**
 	 * Waits for the answer to what was said last, and writes it: {@code corrections.csv}, and the
-	 * files of the result. A run of the movie with these corrections gives the same contours, to the
+	 * files of the result. A run of the movie with these corrections gives the same files, to the
 	 * byte.
 	 *
 	 * @param progress told how far it is; may cancel
-	 * @throws UserException if the file of corrections was changed by others, or there is no result
+	 * @throws UserException if the file of corrections was changed by others, there is no result, or
+	 *           the folder cannot be used
 	 * @throws IOException if the files cannot be written
 	 * @throws InterruptedException if the thread is asked to stop
 	 */
 	public synchronized void save(final Progress progress)
 		throws IOException, InterruptedException {
+		final Path target = folder
+			.orElseThrow(() -> new UserException("Choose the folder of the result first."));
 		final Tracks tracks = model.atRest();
 		final List<Constraint> said = tracks.settings().constraints();
-		writeCorrections(said);
-		final ResolveRun run = ResolveRun.of(texts());
-		try (ResultFolder out = ResultFolder.reserve(folder, ResultKind.RESOLUTION, true,
+		if (ResultKind.of(target).isPresent()) {
+			writeCorrections(said);
+			write(target, tracks, file.map(f -> corrections()), true, progress);
+		} else
+			writeNew(target, tracks, progress);
+		saved = said;
+		if (Recorder.record)
+			Recorder.recordString(macroLine() + "\n");
+	}
+
+	/** The folder appears when it is complete, and what was said of it is put there. */
+	private void writeNew(final Path target, final Tracks tracks, final Progress progress)
+		throws IOException {
+		final List<Constraint> said = tracks.settings().constraints();
+		Files.createDirectories(target.getParent());
+		final Path words = Files.createTempFile(target.getParent(), ".corrections", ".part");
+		try {
+			CorrectionsCsv.write(words, said);
+			write(target, tracks, said.isEmpty() ? Optional.empty() : Optional.of(words), false,
+				progress);
+			if (!said.isEmpty())
+				Files.move(words, corrections());
+		} catch (final UserException e) {
+			// Another folder may be chosen.
+			folder = Optional.empty();
+			throw e;
+		} finally {
+			Files.deleteIfExists(words);
+		}
+		file = text();
+	}
+
+	private void write(final Path target, final Tracks tracks, final Optional<Path> words,
+		final boolean overwrite, final Progress progress) throws IOException {
+		final Map<String, String> texts = new LinkedHashMap<>(given);
+		words.ifPresent(w -> texts.put(CORRECTIONS, w.toString()));
+		final ResolveRun run = ResolveRun.of(texts);
+		final boolean plots = hasPlots();
+		try (ResultFolder out = ResultFolder.reserve(target, ResultKind.RESOLUTION, overwrite,
 			run.files(source))) {
 			run.read(source, progress).resolve(
 				(again, settings, p) -> settings.equals(tracks.settings())
 					? tracks
 					: Engine.PIPELINE.resolve(again, settings, p),
-				new FolderSink(out, source, hasPlots()), progress);
+				new FolderSink(out, source, plots), progress);
 		}
-		saved = said;
-		if (Recorder.record)
-			Recorder.recordString(macroLine() + "\n");
 	}
 
 	private void writeCorrections(final List<Constraint> said) throws IOException {
@@ -145,7 +228,8 @@ public final class ReviewedResult implements AutoCloseable {
 				+ " was changed by another program meanwhile; move it elsewhere and save again, or open the review anew.");
 		if (said.isEmpty() && file.isEmpty())
 			return;
-		final Path partial = Files.createTempFile(folder, ".corrections", ".part");
+		final Path partial = Files.createTempFile(corrections().getParent(), ".corrections",
+			".part");
 		try {
 			CorrectionsCsv.write(partial, said);
 			Files.move(partial, corrections(), StandardCopyOption.REPLACE_EXISTING);
@@ -156,35 +240,32 @@ public final class ReviewedResult implements AutoCloseable {
 	}
 
 	private Path corrections() {
-		return folder.resolve(CorrectionsCsv.FILE);
+		return folder.orElseThrow().resolve(CorrectionsCsv.FILE);
 	}
 
 	private Optional<String> text() throws IOException {
-		return Files.exists(corrections())
+		return folder.isPresent() && Files.exists(corrections())
 			? Optional.of(Files.readString(corrections(), StandardCharsets.ISO_8859_1))
 			: Optional.empty();
 	}
 
+	/** A result that was never written gets them. */
 	private boolean hasPlots() {
-		return Files.exists(folder.resolve("overlay.png"));
-	}
-
-	/** The options of the run, by key. */
-	private Map<String, String> texts() {
-		final Map<String, String> texts = new LinkedHashMap<>(identity.given());
-		if (file.isPresent())
-			texts.put(CORRECTIONS, corrections().toString());
-		return texts;
+		final Path target = folder.orElseThrow();
+		return ResultKind.of(target).isEmpty() || Files.exists(target.resolve("overlay.png"));
 	}
 
 	/** @return the macro's line that writes the same result again, also without a display */
-	public String macroLine() {
-		final StringBuilder line = new StringBuilder("run(\"Resolve Filament...\", \"movie=")
-			.append(path(file()));
-		texts().forEach((key, value) -> line.append(' ').append(key).append('=')
-			.append(key.equals(CORRECTIONS) ? path(corrections()) : quoted(value)));
-		return line.append(" out=").append(path(folder)).append(hasPlots() ? "" : " plots=false")
-			.append(" force\");").toString();
+	public synchronized String macroLine() {
+		final StringBuilder line = new StringBuilder("run(\"Resolve Filament...\", \"")
+			.append(file().map(f -> "movie=" + path(f))
+				.orElseGet(() -> "image=[" + model.movie().name() + "]"));
+		given.forEach((key, value) -> line.append(' ').append(key).append('=')
+			.append(quoted(value)));
+		if (file.isPresent())
+			line.append(' ').append(CORRECTIONS).append('=').append(path(corrections()));
+		return line.append(" out=").append(path(folder.orElseThrow()))
+			.append(hasPlots() ? "" : " plots=false").append(" force\");").toString();
 	}
 
 	private static String path(final Path path) {

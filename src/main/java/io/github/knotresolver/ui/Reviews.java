@@ -34,23 +34,51 @@ public final class Reviews {
 	 */
 	public static void open(final Path folder, final boolean here, final Progress progress,
 		final Runnable closed) throws IOException {
-		if (GraphicsEnvironment.isHeadless())
-			throw new UserException(
-				"A review needs a display; without one, give Resolve Filament... a file of corrections.");
+		requireDisplay();
 		progress.report("Opening the result", 0);
 		final ReviewedResult result = ReviewedResult.open(folder, progress);
 		try {
-			final ImagePlus image = image(result, progress);
-			if (here)
-				result.model().goTo(ImageLink.frame(image));
-			if (ReviewWindow.toFront(image))
-				throw new UserException("The movie of result " + folder
-					+ " is being reviewed already; its window is in front now.");
-			onEvents(() -> ReviewWindow.open(result, image, closed));
+			show(result, image(result, progress), here, closed);
 		} catch (final RuntimeException | Error e) {
 			result.close();
 			throw e;
 		}
+	}
+
+	/**
+	 * Opens the result in memory of an image, or brings its review to the front.
+	 *
+	 * @param image an image; may be null
+	 * @param here whether to begin at the frame that it shows, else at the first
+	 * @param closed called when the window has been closed
+	 * @return whether there is one
+	 * @throws IOException if the files of its folder cannot be read
+	 */
+	public static boolean ofImage(final ImagePlus image, final boolean here, final Runnable closed)
+		throws IOException {
+		requireDisplay();
+		if (ReviewWindow.toFront(image))
+			return true;
+		final Optional<LiveResult> live = LiveResult.of(image);
+		if (live.isPresent())
+			show(ReviewedResult.of(live.get(), image), image, here, closed);
+		return live.isPresent();
+	}
+
+	private static void requireDisplay() {
+		if (GraphicsEnvironment.isHeadless())
+			throw new UserException(
+				"A review needs a display; without one, give Resolve Filament... a file of corrections.");
+	}
+
+	private static void show(final ReviewedResult result, final ImagePlus image, final boolean here,
+		final Runnable closed) {
+		if (here)
+			result.model().goTo(ImageLink.frame(image));
+		if (ReviewWindow.toFront(image))
+			throw new UserException("The movie of result " + result.name()
+				+ " is being reviewed already; its window is in front now.");
+		onEvents(() -> ReviewWindow.open(result, image, closed));
 	}
 
 	private static ImagePlus image(final ReviewedResult result, final Progress progress) {
@@ -59,10 +87,10 @@ public final class Reviews {
 			? Optional.empty()
 			: IntStream.of(ids).mapToObj(WindowManager::getImage)
 				.filter(i -> i != null && i.getWindow() != null && i.getCanvas() != null)
-				.filter(i -> ImageFile.of(i).filter(result.file()::equals).isPresent()).findFirst();
+				.filter(i -> ImageFile.of(i).equals(result.file())).findFirst();
 		if (present.isPresent())
 			return present.get();
-		final ImagePlus image = ImageFile.open(result.file(), progress);
+		final ImagePlus image = ImageFile.open(result.file().orElseThrow(), progress);
 		ImageView.show(image);
 		return image;
 	}

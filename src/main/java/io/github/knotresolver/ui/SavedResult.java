@@ -1,11 +1,15 @@
 package io.github.knotresolver.ui;
 
+import java.awt.Component;
+import java.io.File;
 import java.io.IOException;
 import java.util.function.Consumer;
 
+import javax.swing.JFileChooser;
 import javax.swing.SwingUtilities;
 
 import io.github.knotresolver.io.Failure;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 /** Writes a reviewed result while its window goes on. */
@@ -33,6 +37,26 @@ final class SavedResult {
 		thread.start();
 	}
 
+	/**
+	 * Asks for the folder of a result that was never written.
+	 *
+	 * @return whether one was chosen
+	 * @throws UserException if it cannot be used, in one sentence
+	 */
+	static boolean chooseFolder(final ReviewedResult result, final Component parent) {
+		final JFileChooser chooser = new JFileChooser();
+		chooser.setDialogTitle("A new folder for the result");
+		chooser.setFileSelectionMode(JFileChooser.DIRECTORIES_ONLY);
+		chooser.setSelectedFile(result.file()
+			.map(f -> f.resolveSibling(
+				f.getFileName().toString().replaceFirst("[.][^.]*$", "") + "-result").toFile())
+			.orElse(new File(result.name() + "-result")));
+		if (chooser.showSaveDialog(parent) != JFileChooser.APPROVE_OPTION)
+			return false;
+		result.chooseFolder(chooser.getSelectedFile().toPath());
+		return true;
+	}
+
 	private static String save(final ReviewedResult result, final Consumer<String> stages) {
 		try {
 			result.save(new Progress() {
@@ -48,7 +72,7 @@ final class SavedResult {
 					return false;
 				}
 			});
-			return "Saved in " + result.folder() + ".";
+			return "Saved in " + result.folder().orElseThrow() + ".";
 		} catch (final InterruptedException e) {
 			Thread.currentThread().interrupt();
 			return "Nothing was saved.";

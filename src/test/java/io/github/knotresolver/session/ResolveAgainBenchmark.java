@@ -85,6 +85,7 @@ public class ResolveAgainBenchmark {
 			case NOT -> contour;
 			case THROUGH -> Polyline.of(List.of(contour.point(contour.size() / 2)));
 			case TIP -> Polyline.of(List.of(contour.last()));
+			default -> throw new IllegalStateException(kind + " decides no contour.");
 		});
 	}
 

@@ -12,22 +12,27 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+import ij.ImagePlus;
 import io.github.knotresolver.imagej.FolderSink;
+import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageSource;
 import io.github.knotresolver.imagej.SampleMovie;
 import io.github.knotresolver.imagej.TestImages;
 import io.github.knotresolver.io.CorrectionsCsv;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.run.ResolveRun;
+import io.github.knotresolver.run.ResultSink;
 
 /** What a review reads from a result folder and writes into it, without a window. */
 class ReviewedResultTest {
@@ -88,6 +93,63 @@ class ReviewedResultTest {
 			review.save(Progress.NONE);
 		}
 		assertArrayEquals(before, Files.readAllBytes(again.resolve("contours.csv")));
+	}
+
+	@Test
+	void checkedFramesAreKeptForTomorrowAndByAHeadlessRun() throws Exception {
+		try (ReviewedResult review = ReviewedResult.open(result, Progress.NONE)) {
+			// What the folder holds is seen at once.
+			assertEquals(5, review.model().tracks().orElseThrow().resolved());
+			review.model().atRest();
+			review.model().goTo(2);
+			review.model().accept();
+			assertTrue(review.isChanged());
+			review.save(Progress.NONE);
+		}
+		final List<String> frames = Files.readAllLines(result.resolve("frames.csv"));
+		for (int frame = 1; frame <= 5; frame++)
+			assertTrue(frames.get(frame).endsWith(frame == 2 ? ",1" : ",0"), frames.get(frame));
+		final Path again = home.resolve("again");
+		run(Map.of("corrections", result.resolve(CorrectionsCsv.FILE).toString()), again);
+		for (final String file : List.of("contours.csv", "frames.csv", "filaments.csv"))
+			assertEquals(-1, Files.mismatch(result.resolve(file), again.resolve(file)), file);
+		try (ReviewedResult tomorrow = ReviewedResult.open(result, Progress.NONE)) {
+			assertTrue(tomorrow.model().isChecked(2));
+			tomorrow.model().atRest();
+			assertTrue(tomorrow.model().isChecked(2));
+			assertFalse(tomorrow.model().isChecked(3));
+		}
+	}
+
+	@Test
+	void aResultInMemoryIsReviewedAtOnceAndWrittenToANewFolder() throws Exception {
+		final ImagePlus image = ImageFile.open(movie);
+		final KeptSession session = new KeptSession();
+		final Map<String, String> texts = Map.of("frames", "1-5", "threads", "2", "region", "");
+		final Tracks tracks = ResolveRun.of(texts).read(ImageSource.of(image), Progress.NONE)
+			.resolve(session, ResultSink.NONE, Progress.NONE).result().tracks();
+		final Path fresh = home.resolve("new/fresh");
+		try (ReviewedResult review = ReviewedResult
+			.of(new LiveResult(tracks, session, texts, Optional.empty()), image)) {
+			assertTrue(review.model().isReady());
+			review.model().goTo(3);
+			review.model().refuse();
+			assertThrows(UserException.class, () -> review.save(Progress.NONE));
+			assertThrows(UserException.class, () -> review.chooseFolder(result));
+			review.chooseFolder(fresh);
+			review.save(Progress.NONE);
+			assertEquals("run(\"Resolve Filament...\", \"movie=[" + movie
+				+ "] frames=1-5 corrections=[" + fresh.resolve(CorrectionsCsv.FILE) + "] out=["
+				+ fresh + "] force\");", review.macroLine());
+			review.model().goTo(4);
+			review.model().accept();
+			review.save(Progress.NONE);
+		}
+		final Path again = home.resolve("again");
+		run(Map.of("corrections", fresh.resolve(CorrectionsCsv.FILE).toString()), again);
+		for (final String file : List.of("contours.csv", "frames.csv", "filaments.csv",
+			"summary.csv", "RoiSet.zip"))
+			assertEquals(-1, Files.mismatch(fresh.resolve(file), again.resolve(file)), file);
 	}
 
 	@Test

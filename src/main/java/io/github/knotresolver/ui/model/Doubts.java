@@ -6,6 +6,7 @@ import java.util.List;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Tracks;
 
 /** Where a person should look: frames whose contour may be wrong, or is missing. */
 final class Doubts {
@@ -17,18 +18,12 @@ final class Doubts {
 	}
 
 	/** @return the doubtful frames of a filament, the least certain first, then in order of time */
-	static List<Integer> of(final FilamentTrack track, final Edits edits) {
+	static List<Integer> of(final Tracks tracks, final FilamentTrack track) {
 		return track.frames().stream().filter(Doubts::isDoubtful)
-			.filter(o -> !isChecked(track, o.frame(), edits))
+			.filter(o -> !tracks.isChecked(track.id(), o))
 			.sorted(
 				Comparator.comparingDouble(Doubts::certainty).thenComparingInt(Observation::frame))
 			.map(Observation::frame).toList();
-	}
-
-	/** @return whether a frame was accepted, or its contour is as a person said */
-	static boolean isChecked(final FilamentTrack track, final int frame, final Edits edits) {
-		return track.frames().get(frame - 1).status() == FrameStatus.CORRECTED
-			|| edits.checked().contains(new Edits.Place(track.id(), frame));
 	}
 
 	/** @return the frame after or before one in this order, round and round; that one if there is none */

@@ -29,14 +29,22 @@ public record Drag(Polyline contour, double held) {
 	public static Optional<Drag> at(final Polyline contour, final Point place, final double reach) {
 		if (contour.last().distanceTo(place) <= reach)
 			return Optional.of(new Drag(contour, contour.length()));
+		return Optional.of(nearest(contour, place))
+			.filter(d -> contour.at(d.held).distanceTo(place) <= reach);
+	}
+
+	/**
+	 * @param contour a contour in pixels
+	 * @param place anywhere
+	 * @return the contour, held at its point nearest to the place
+	 */
+	static Drag nearest(final Polyline contour, final Point place) {
 		final Polyline line = contour.resampled(STEP / 2);
 		int nearest = 0;
 		for (int i = 1; i < line.size(); i++)
 			if (line.point(i).distanceTo(place) < line.point(nearest).distanceTo(place))
 				nearest = i;
-		return line.point(nearest).distanceTo(place) <= reach
-			? Optional.of(new Drag(contour, line.arc(nearest) / line.length() * contour.length()))
-			: Optional.empty();
+		return new Drag(contour, line.arc(nearest) / line.length() * contour.length());
 	}
 
 	/** @return whether the tip is held */

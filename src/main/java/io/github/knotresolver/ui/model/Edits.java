@@ -1,10 +1,7 @@
 package io.github.knotresolver.ui.model;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
-import java.util.SortedSet;
-import java.util.TreeSet;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
@@ -17,10 +14,9 @@ import io.github.knotresolver.model.Constraint.Kind;
  * that it holds, so that a run with that file is a run with these words.
  *
  * @param said of frames, in their order; of each filament in each frame at most one contour, or one
- *          tip, the places that it passes, and any number of refused contours
- * @param checked which contours were found right
+ *          tip, the places that it passes, and any number of refused contours; or that it is right
  */
-record Edits(List<Constraint> said, SortedSet<Place> checked) {
+record Edits(List<Constraint> said) {
 
 	/**
 	 * One filament in one frame.
@@ -40,15 +36,19 @@ record Edits(List<Constraint> said, SortedSet<Place> checked) {
 
 	Edits {
 		said = Constraint.sorted(said);
-		checked = Collections.unmodifiableSortedSet(new TreeSet<>(checked));
 	}
 
 	/** @return what a file or an earlier run says, as if it had been said here */
 	static Edits of(final List<Constraint> said) {
-		Edits edits = new Edits(List.of(), new TreeSet<>());
+		Edits edits = new Edits(List.of());
 		for (final Constraint c : said)
 			edits = edits.with(c);
 		return edits;
+	}
+
+	/** @return what decides the result */
+	List<Constraint> deciding() {
+		return said.stream().filter(c -> c.kind() != Kind.CHECKED).toList();
 	}
 
 	/**
@@ -61,29 +61,53 @@ record Edits(List<Constraint> said, SortedSet<Place> checked) {
 		final List<Constraint> kept = new ArrayList<>();
 		Constraint added = CorrectionsCsv.asWritten(next);
 		for (final Constraint c : said)
-			if (!isOfSamePlace(c, next))
+			if (!isOfSamePlace(c, next) || stands(c.kind(), next.kind()))
 				kept.add(c);
 			else if (next.kind() == Kind.THROUGH && c.kind() == Kind.THROUGH)
 				added = added.with(places -> joined(c.shape(), places));
-			else if (next.kind() != Kind.CONTOUR && c.kind() != Kind.CONTOUR
-				&& (next.kind() != Kind.TIP || c.kind() != Kind.TIP))
-				kept.add(c);
 		kept.add(added);
-		return new Edits(kept, checked);
+		return new Edits(kept);
 	}
 
-	/** @return the same without a word about a filament in a frame */
+	/** Whether a word stays beside another one that comes after it. */
+	private static boolean stands(final Kind earlier, final Kind next) {
+		if (earlier == Kind.SWAP || next == Kind.SWAP)
+			return true;
+		if (earlier == Kind.CHECKED || next == Kind.CHECKED)
+			return earlier != Kind.CHECKED;
+		return next != Kind.CONTOUR && earlier != Kind.CONTOUR
+			&& (next != earlier || next == Kind.NOT);
+	}
+
+	/** @return the same without a word about a filament in a frame, except that it was exchanged */
 	Edits without(final Place place) {
-		return new Edits(said.stream()
-			.filter(c -> c.filament() != place.filament || c.frame() != place.frame).toList(),
-			checked);
+		return new Edits(said.stream().filter(c -> c.filament() != place.filament
+			|| c.frame() != place.frame || c.kind() == Kind.SWAP).toList());
 	}
 
-	/** @return the same, and what is shown of a filament in a frame is right */
-	Edits accepting(final Place place) {
-		final SortedSet<Place> more = new TreeSet<>(checked);
-		more.add(place);
-		return new Edits(said, more);
+	/**
+	 * Two filaments are exchanged from a frame on; what was said of their contours from there on is
+	 * said of the same contours. The same two once more are as they were.
+	 *
+	 * @param swap the word
+	 * @param other number of the filament that it is exchanged with
+	 */
+	Edits exchanging(final Constraint swap, final int other) {
+		final List<Constraint> next = new ArrayList<>();
+		boolean back = false;
+		for (final Constraint c : said)
+			if (c.kind() == Kind.SWAP && c.frame() == swap.frame()
+				&& (c.filament() == swap.filament() || c.filament() == other))
+				back = true;
+			else if (c.frame() < swap.frame())
+				next.add(c);
+			else if (c.filament() == swap.filament())
+				next.add(c.of(other));
+			else
+				next.add(c.filament() == other ? c.of(swap.filament()) : c);
+		if (!back)
+			next.add(CorrectionsCsv.asWritten(swap));
+		return new Edits(next);
 	}
 
 	private static boolean isOfSamePlace(final Constraint a, final Constraint b) {

@@ -3,10 +3,12 @@ package io.github.knotresolver.ui.model;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
 import java.util.SortedSet;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.function.Supplier;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
 
 import io.github.knotresolver.geometry.Point;
@@ -31,23 +33,19 @@ import io.github.knotresolver.model.UserException;
  * Safe to use from several threads. Listeners are told after every change, by the thread that made
  * it: the caller's, or the solver's.
  */
-public final class ReviewModel implements AutoCloseable {
+public final class ReviewModel extends ResultView implements AutoCloseable {
 
 	private static final String MORE_MEMORY = "give Java more (ImageJ: Edit > Options > Memory & Threads)";
 
-	private final Movie movie;
 	private final LatestAnswer answers;
-	private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
 
 	private EditHistory history;
 	/** The history that the result belongs to. */
 	private EditHistory solved;
-	private Optional<Tracks> tracks = Optional.empty();
-	private SortedSet<Edits.Place> changed = new TreeSet<>();
+	/** Whether the result is the solver's, so that words can follow. */
+	private boolean ready;
 	private Optional<String> problem = Optional.empty();
 	private Optional<String> stage = Optional.empty();
-	private int frame = 1;
-	private int filament = 1;
 	private boolean closed;
 
 	/**
@@ -58,150 +56,125 @@ public final class ReviewModel implements AutoCloseable {
 	 * @param said what was said before, such as the contents of {@code corrections.csv}
 	 */
 	public ReviewModel(final Movie movie, final Solver solver, final List<Constraint> said) {
-		this.movie = movie;
+		super(movie);
 		this.answers = new LatestAnswer(solver, new Hearer());
 		history = EditHistory.of(Edits.of(said));
 		solved = history;
 		solve();
 	}
 
-	/** @return the movie under review */
-	public Movie movie() {
-		return movie;
+	private ReviewModel(final Tracks shown, final Solver solver, final boolean ready) {
+		super(shown.movie());
+		answers = new LatestAnswer(solver, new Hearer());
+		history = EditHistory.of(Edits.of(shown.settings().constraints()));
+		solved = history;
+		show(shown, new TreeSet<>());
+		this.ready = ready && history.present().said().equals(shown.settings().constraints());
+		if (!this.ready)
+			solve();
 	}
 
-	/** @param listener told after every change */
-	public void listen(final Runnable listener) {
-		listeners.add(listener);
+	/**
+	 * A result that is read is seen at once; it is solved in the background before words can follow.
+	 *
+	 * @param shown the result, with what was said of it in its settings
+	 * @param solver answers for its movie; with no settings' constraints of its own
+	 * @return its review
+	 */
+	public static ReviewModel finished(final Tracks shown, final Solver solver) {
+		return new ReviewModel(shown, solver, false);
 	}
 
-	private void tell() {
-		listeners.forEach(Runnable::run);
+	/**
+	 * A result that a solver gave just now; words can follow at once.
+	 *
+	 * @param shown the result, with what was said of it in its settings
+	 * @param solver the one that gave it
+	 * @return its review
+	 */
+	public static ReviewModel live(final Tracks shown, final Solver solver) {
+		return new ReviewModel(shown, solver, true);
 	}
 
-	/** @return the frame that is looked at, from 1 */
-	public synchronized int frame() {
-		return frame;
-	}
-
-	/** @param wanted a frame, from 1; beyond the movie's ends, the nearest */
-	public void goTo(final int wanted) {
-		synchronized (this) {
-			final int next = Math.max(1, Math.min(movie.size(), wanted));
-			if (next == frame)
-				return;
-			frame = next;
-		}
-		tell();
-	}
-
-	/** @return the number of the filament that is looked at, from 1 */
-	public synchronized int filament() {
-		return filament;
-	}
-
-	/** @param wanted number of a filament; one that there is not changes nothing */
-	public void choose(final int wanted) {
-		synchronized (this) {
-			if (tracks.isEmpty()
-				|| tracks.get().filaments().stream().noneMatch(f -> f.id() == wanted))
-				return;
-			filament = wanted;
-		}
-		tell();
-	}
-
-	/** @return the result; empty until the movie has been solved once */
-	public synchronized Optional<Tracks> tracks() {
-		return tracks;
-	}
-
-	/** @return the filament that is looked at, in all frames; empty likewise */
-	public synchronized Optional<FilamentTrack> track() {
-		return tracks
-			.flatMap(t -> t.filaments().stream().filter(f -> f.id() == filament).findFirst());
-	}
-
-	/** @return what was found of the filament in the frame; empty likewise */
-	public synchronized Optional<Observation> shown() {
-		return track().map(t -> t.frames().get(frame - 1));
-	}
-
-	/** @return other contours for this frame, cheapest first; none until the movie is solved */
-	public synchronized List<Alternative> alternatives() {
-		return shown().map(Observation::alternatives).orElse(List.of());
-	}
-
-	/** @return the confidence of each frame, 0..1; NaN where there is no contour */
-	public synchronized double[] confidences() {
-		final double[] all = new double[movie.size()];
-		Arrays.setAll(all,
-			t -> track().map(f -> f.frames().get(t).confidence()).orElse(Double.NaN));
-		return all;
-	}
-
-	/** @return the frames to look at, the least certain first; without those that were accepted */
-	public synchronized List<Integer> doubtful() {
-		return track().map(t -> Doubts.of(t, history.present())).orElse(List.of());
-	}
-
-	/** Goes to the next less certain frame; from any other frame to the least certain. */
-	public void nextDoubtful() {
-		step(1);
-	}
-
-	/** Goes to the frame before in the order of doubt; from any other frame to the most certain. */
-	public void previousDoubtful() {
-		step(-1);
-	}
-
-	private void step(final int by) {
-		goTo(Doubts.step(doubtful(), frame(), by));
+	/** @return whether words can follow: the movie has been solved */
+	public synchronized boolean isReady() {
+		return ready;
 	}
 
 	/** @param place the contour of this frame passes here, in pixels */
 	public void through(final Point place) {
-		say(Kind.THROUGH, () -> Optional.of(Polyline.of(List.of(place))));
+		say(w -> w.through(place));
 	}
 
 	/** @param place the tip of this frame's contour is here, in pixels */
 	public void tip(final Point place) {
-		say(Kind.TIP, () -> Optional.of(Polyline.of(List.of(place))));
+		say(w -> w.tip(place));
+	}
+
+	/**
+	 * @param drag this frame's contour, as it is held
+	 * @param place where it was let go, in pixels
+	 */
+	public void drag(final Drag drag, final Point place) {
+		say(w -> w.dragged(drag, place));
 	}
 
 	/** @param contour that of this frame, fixed end first, in pixels */
 	public void contour(final Polyline contour) {
-		say(Kind.CONTOUR, () -> Optional.of(contour));
+		say(w -> new Constraint(filament(), frame(), Kind.CONTOUR, contour));
 	}
 
 	/** The contour that is shown is wrong; nothing if there is none. */
 	public void refuse() {
-		say(Kind.NOT, () -> shown().flatMap(Observation::contour));
+		shown().flatMap(Observation::contour)
+			.ifPresent(c -> say(w -> new Constraint(filament(), frame(), Kind.NOT, c)));
 	}
 
 	/** @param index of an alternative, from 0, that is right; nothing if there is none of that index */
 	public void take(final int index) {
-		say(Kind.CONTOUR, () -> alternatives().stream().skip(Math.max(0, index)).findFirst()
-			.filter(a -> index >= 0).map(Alternative::contour));
+		final List<Alternative> all = alternatives();
+		if (index >= 0 && index < all.size())
+			contour(all.get(index).contour());
 	}
 
-	private void say(final Kind kind, final Supplier<Optional<Polyline>> shape) {
-		edit(e -> shape.get().map(s -> e.with(new Constraint(filament, frame, kind, s))).orElse(e));
+	private void say(final Function<Words, Constraint> word) {
+		edit(e -> e.with(word.apply(words())));
 	}
 
-	/** Takes back all that was said about this filament in this frame. */
+	private Words words() {
+		return new Words(tracks().orElseThrow(), track().orElseThrow(), frame());
+	}
+
+	/**
+	 * From this frame on, the filament is exchanged with another one; of the same two in the same
+	 * frame again, it is not. Only while nothing is worked out.
+	 *
+	 * @param other number of that filament; one that there is not changes nothing
+	 */
+	public void exchange(final int other) {
+		edit(e -> {
+			if (stage.isPresent())
+				throw new UserException(
+					"Filaments can be exchanged as soon as the last correction is followed.");
+			return tracks().orElseThrow().filaments().stream()
+				.filter(f -> f.id() == other && other != filament()).findFirst()
+				.map(f -> e.exchanging(words().exchanged(f), other)).orElse(e);
+		});
+	}
+
+	/** Takes back all that was said about this filament in this frame, but not an exchange. */
 	public void withdraw() {
-		edit(e -> e.without(new Edits.Place(filament, frame)));
+		edit(e -> e.without(new Edits.Place(filament(), frame())));
 	}
 
 	/** What is shown in this frame is right. */
 	public void accept() {
-		edit(e -> e.accepting(new Edits.Place(filament, frame)));
+		edit(e -> isChecked(frame()) ? e : e.with(words().accepted()));
 	}
 
 	private void edit(final UnaryOperator<Edits> change) {
 		synchronized (this) {
-			if (tracks.isEmpty() || closed)
+			if (!ready || closed || track().isEmpty())
 				return;
 			problem = Optional.empty();
 			try {
@@ -214,11 +187,6 @@ public final class ReviewModel implements AutoCloseable {
 			}
 		}
 		tell();
-	}
-
-	/** @return whether a frame was accepted, or its contour is as a person said */
-	public synchronized boolean isChecked(final int wanted) {
-		return track().filter(t -> Doubts.isChecked(t, wanted, history.present())).isPresent();
 	}
 
 	/** @return whether there is a step to be undone */
@@ -252,8 +220,10 @@ public final class ReviewModel implements AutoCloseable {
 	}
 
 	private void moveTo(final EditHistory next) {
-		final boolean same = next.present().said().equals(history.present().said());
+		final boolean same = next.present().deciding().equals(history.present().deciding());
 		history = next;
+		if (same)
+			saying(said());
 		if (!same)
 			solve();
 		else if (stage.isEmpty())
@@ -262,7 +232,7 @@ public final class ReviewModel implements AutoCloseable {
 
 	private void solve() {
 		stage = Optional.of("Solving");
-		answers.ask(history.present().said());
+		answers.ask(history.present().deciding());
 	}
 
 	/** Hears of what was asked; an answer to what is not said any more is nothing. */
@@ -271,9 +241,10 @@ public final class ReviewModel implements AutoCloseable {
 		@Override
 		public void answered(final List<Constraint> said, final Tracks answer) {
 			change(said, () -> {
-				changed = tracks.map(before -> Changes.between(before, answer))
-					.orElse(new TreeSet<>());
-				tracks = Optional.of(answer);
+				show(answer.saying(said()),
+					tracks().filter(t -> ready).map(before -> Changes.between(before, answer))
+						.orElse(new TreeSet<>()));
+				ready = true;
 				solved = history;
 				rest();
 			});
@@ -285,6 +256,7 @@ public final class ReviewModel implements AutoCloseable {
 			change(said, () -> {
 				problem = Optional.of(Failure.of(why, MORE_MEMORY).sentence());
 				history = solved;
+				saying(said());
 				rest();
 			});
 		}
@@ -297,7 +269,7 @@ public final class ReviewModel implements AutoCloseable {
 
 		private void change(final List<Constraint> said, final Runnable change) {
 			synchronized (ReviewModel.this) {
-				if (stage.isEmpty() || !said.equals(history.present().said()))
+				if (stage.isEmpty() || !said.equals(history.present().deciding()))
 					return;
 				change.run();
 			}
@@ -320,13 +292,6 @@ public final class ReviewModel implements AutoCloseable {
 		return problem;
 	}
 
-	/** @return the frames in which the last answer shows the filament otherwise than the one before */
-	public synchronized SortedSet<Integer> changed() {
-		final SortedSet<Integer> frames = new TreeSet<>();
-		changed.stream().filter(p -> p.filament() == filament).forEach(p -> frames.add(p.frame()));
-		return frames;
-	}
-
 	/** @return all that was said, as {@code corrections.csv} holds it */
 	public synchronized List<Constraint> said() {
 		return history.present().said();
@@ -342,7 +307,7 @@ public final class ReviewModel implements AutoCloseable {
 	public synchronized Tracks atRest() throws InterruptedException {
 		while (stage.isPresent())
 			wait();
-		return tracks.orElseThrow(() -> new UserException(
+		return tracks().filter(t -> ready).orElseThrow(() -> new UserException(
 			problem.orElse("The review was closed before there was a result.")));
 	}
 

@@ -127,6 +127,161 @@ class ReviewModelTest {
 	}
 
 	@Test
+	void whatWasAcceptedIsSaidAndHoldsWhileTheContourStays() throws InterruptedException {
+		final AtomicInteger solves = new AtomicInteger();
+		final List<Constraint> said;
+		try (ReviewModel model = model((words, progress) -> {
+			solves.incrementAndGet();
+			return answer(words);
+		})) {
+			model.goTo(2);
+			model.accept();
+			model.goTo(5);
+			model.accept();
+			model.accept();
+			said = model.said();
+			assertEquals(List.of(Kind.CHECKED, Kind.CHECKED),
+				said.stream().map(Constraint::kind).toList());
+			assertEquals(said, model.atRest().settings().constraints());
+			assertEquals(1, solves.get());
+			assertTrue(model.isChecked(5));
+			model.undo();
+			assertFalse(model.isChecked(5));
+			assertEquals(said.subList(0, 1), model.atRest().settings().constraints());
+		}
+		try (ReviewModel tomorrow = new ReviewModel(MOVIE, (words, p) -> answer(words), said)) {
+			tomorrow.atRest();
+			assertEquals(List.of(6, 4), tomorrow.doubtful());
+			tomorrow.goTo(2);
+			tomorrow.contour(OTHER);
+			tomorrow.atRest();
+			assertEquals(List.of(Kind.CONTOUR, Kind.CHECKED),
+				tomorrow.said().stream().map(Constraint::kind).toList());
+			tomorrow.withdraw();
+			tomorrow.atRest();
+			assertFalse(tomorrow.isChecked(2));
+		}
+		final Constraint elsewhere = Constraint.checked(1, 2, OTHER);
+		try (ReviewModel other = new ReviewModel(MOVIE, (words, p) -> answer(words),
+			List.of(elsewhere))) {
+			other.atRest();
+			assertFalse(other.isChecked(2), "Another contour was found right.");
+		}
+	}
+
+	/** Two free filaments, at y = 3 and y = 20; an exchange is followed as the word says. */
+	private static Tracks two(final List<Constraint> said) {
+		final List<FilamentTrack> filaments = new ArrayList<>();
+		for (int id = 1; id <= 2; id++) {
+			final List<Observation> frames = new ArrayList<>();
+			for (int t = 1; t <= CONFIDENCES.length; t++) {
+				final int frame = t, number = id;
+				final boolean swapped = said.stream()
+					.filter(c -> c.kind() == Kind.SWAP && c.frame() <= frame).count() % 2 == 1;
+				final Optional<Polyline> given = said.stream()
+					.filter(c -> c.frame() == frame && c.filament() == number
+						&& c.kind() == Kind.CONTOUR)
+					.map(Constraint::shape).findFirst();
+				frames.add(new Observation(t,
+					given.isPresent() ? FrameStatus.CORRECTED : FrameStatus.RESOLVED, "",
+					Optional.of(given.orElse(line(id == 1 == swapped ? 20 : 3))), 0, 1, 0, 0.8));
+			}
+			filaments.add(
+				new FilamentTrack(id, Anchor.FREE, Optional.empty(), 29, Double.NaN, frames));
+		}
+		return new Tracks(MOVIE, Settings.DEFAULT.edit().constraints(said).build(), filaments,
+			List.of());
+	}
+
+	private static double row(final ReviewModel model, final int filament, final int frame)
+		throws InterruptedException {
+		return model.atRest().filaments().get(filament - 1).frames().get(frame - 1).contour()
+			.orElseThrow().first().y();
+	}
+
+	@Test
+	void whatWasSaidOfAContourGoesWithItWhenFilamentsAreExchanged() throws InterruptedException {
+		try (ReviewModel model = model((said, progress) -> two(said))) {
+			model.goTo(5);
+			model.contour(line(5));
+			model.atRest();
+			model.goTo(6);
+			model.accept();
+			model.goTo(3);
+			model.exchange(2);
+			for (int round = 0; round < 2; round++) {
+				assertEquals(3, row(model, 1, 2));
+				assertEquals(20, row(model, 1, 3));
+				assertEquals(3, row(model, 2, 3));
+				assertEquals(5, row(model, 2, 5), "The contour that was drawn stays what it was.");
+				model.choose(2);
+				assertTrue(model.isChecked(6));
+				model.choose(1);
+				assertFalse(model.isChecked(6));
+				model.undo();
+				assertEquals(3, row(model, 1, 3));
+				assertEquals(5, row(model, 1, 5));
+				assertTrue(model.isChecked(6));
+				model.redo();
+			}
+			model.atRest();
+			model.exchange(2);
+			assertEquals(List.of(Kind.CONTOUR, Kind.CHECKED),
+				model.said().stream().map(Constraint::kind).toList());
+			assertEquals(5, row(model, 1, 5));
+			model.exchange(9);
+			model.exchange(1);
+			assertEquals(2, model.said().size());
+		}
+	}
+
+	@Test
+	void wherePlacesMeanNothingToTheSolverTheContourIsBentToThem() throws InterruptedException {
+		try (ReviewModel model = model((said, progress) -> two(said))) {
+			model.through(new Point(15, 6));
+			assertEquals(Kind.CONTOUR, model.said().get(0).kind());
+			assertEquals(0, model.said().get(0).shape().distanceTo(new Point(15, 6)), 0.7);
+			model.atRest();
+			model.goTo(2);
+			model.tip(new Point(33, 5));
+			assertEquals(0, model.said().get(1).shape().last().distanceTo(new Point(33, 5)), 0.1);
+		}
+	}
+
+	@Test
+	void aLiveResultIsNotSolvedAgainAndAReadOneIsSeenMeanwhile() throws Exception {
+		final CountDownLatch asked = new CountDownLatch(1), go = new CountDownLatch(1);
+		try (ReviewModel live = ReviewModel.live(answer(List.of()), (said, p) -> {
+			throw new IllegalStateException("Nobody asked.");
+		})) {
+			assertTrue(live.isReady());
+			live.goTo(2);
+			live.accept();
+			assertTrue(live.isChecked(2));
+		}
+		final Solver slow = (said, progress) -> {
+			asked.countDown();
+			try {
+				go.await();
+			} catch (final InterruptedException e) {
+				throw new CancelledException();
+			}
+			return answer(said);
+		};
+		try (ReviewModel read = ReviewModel.finished(answer(List.of()), slow)) {
+			assertTrue(asked.await(20, TimeUnit.SECONDS));
+			assertFalse(read.isReady());
+			assertEquals(List.of(5, 2, 6, 4), read.doubtful());
+			read.refuse();
+			assertEquals(List.of(), read.said());
+			go.countDown();
+			read.atRest();
+			assertTrue(read.isReady());
+			assertEquals(new TreeSet<>(), read.changed());
+		}
+	}
+
+	@Test
 	void aNewWordEndsWhatCouldBeDoneAgain() throws InterruptedException {
 		try (ReviewModel model = model()) {
 			model.tip(new Point(5, 5));
