@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 
 import io.github.knotresolver.imagej.Batch;
@@ -24,7 +25,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** {@code knotresolver batch}: many movies, from a sheet or a folder. */
-@Command(name = "batch", mixinStandardHelpOptions = true, sortOptions = false, abbreviateSynopsis = true, usageHelpAutoWidth = true, description = "Resolves the movies of a sheet or a folder, each into its own result folder. Finished ones are skipped; one that fails is reported and the rest go on.%n")
+@Command(name = "batch", mixinStandardHelpOptions = true, sortOptions = false, abbreviateSynopsis = true, usageHelpAutoWidth = true, description = "Resolves the movies of a sheet or a folder, as many at a time as threads and memory allow, each into its own result folder. Finished ones are skipped; one that fails is reported and the rest go on. batch.html shows all results.%n")
 final class BatchSubcommand implements Callable<Integer> {
 
 	@Spec
@@ -41,6 +42,9 @@ final class BatchSubcommand implements Callable<Integer> {
 
 	@Option(names = "--plots", negatable = true, defaultValue = "true", fallbackValue = "true", description = "Write plots and projections as PNG, or not [on].")
 	private boolean plots;
+
+	@Option(names = "--movies", paramLabel = "N", description = "Most movies at a time [as many as threads and memory allow].")
+	private Integer movies;
 
 	private final Engine engine;
 	private final Progress progress;
@@ -62,14 +66,16 @@ final class BatchSubcommand implements Callable<Integer> {
 			if (!sheet.unknownColumns().isEmpty())
 				stderr.println("Columns that mean nothing here: "
 					+ String.join(", ", sheet.unknownColumns()) + ".");
-			outcomes = new Batch(engine, texts, force, plots).run(sheet.rows(), out, List.of(input),
+			outcomes = new Batch(engine, texts, force, plots, Optional.ofNullable(movies)).run(
+				sheet.rows(), out, List.of(input),
 				o -> (o.status() == Status.FAILED ? stderr : stdout).println(o.line()), progress);
 		} catch (final UserException e) {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
 		}
 		final long failed = outcomes.stream().filter(o -> o.status() == Status.FAILED).count();
-		stdout.println((outcomes.size() - failed) + " of " + outcomes.size()
-			+ " movies have a result. List: " + out.resolve(BatchList.FILE));
+		stdout.println(
+			(outcomes.size() - failed) + " of " + outcomes.size() + " movies have a result. List: "
+				+ out.resolve(BatchList.FILE) + ", page: " + out.resolve(BatchList.PAGE));
 		return failed == 0 ? ExitStatus.FINISHED : ExitStatus.FAILED;
 	}
 }

@@ -4,6 +4,7 @@ import java.io.File;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 
 import org.scijava.command.Command;
@@ -26,8 +27,8 @@ import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.run.Engine;
 
 /**
- * {@code Batch...}: many movies, each into its own result folder. Finished ones
- * are skipped; one that fails is reported, and the rest go on.
+ * {@code Batch...}: many movies, as many at a time as threads and memory allow, each into its own
+ * result folder. Finished ones are skipped; one that fails is reported, and the rest go on.
  */
 @Plugin(type = Command.class, label = "Batch...", attrs = @Attr(name = "no-legacy"))
 public class BatchCommand extends KnotCommand {
@@ -35,11 +36,14 @@ public class BatchCommand extends KnotCommand {
 	@Parameter(label = "Input (sheet or folder)", description = "A CSV with the columns FileName and FolderPath, or a folder of movies", required = false, persist = false)
 	private File input;
 
-	@Parameter(label = "Out (folder)", description = "Gets a result folder for every movie, and batch.csv", style = FileWidget.DIRECTORY_STYLE, required = false, persist = false)
+	@Parameter(label = "Out (folder)", description = "Gets a result folder for every movie, batch.csv and batch.html", style = FileWidget.DIRECTORY_STYLE, required = false, persist = false)
 	private File out;
 
 	@Parameter(label = "Options", description = "For all movies, as Resolve Filament has them: threshold=0.4 channel=2", required = false, persist = false)
 	private String options = "";
+
+	@Parameter(label = "Movies at a time", description = "Most movies at a time; 0 for as many as threads and memory allow", min = "0", required = false, persist = false)
+	private int movies = 0;
 
 	@Parameter(label = "Plots in the folders", required = false, persist = false)
 	private boolean plots = true;
@@ -68,10 +72,11 @@ public class BatchCommand extends KnotCommand {
 		if (!sheet.unknownColumns().isEmpty())
 			say("Columns that mean nothing here: " + String.join(", ", sheet.unknownColumns())
 				+ ".");
-		final List<BatchOutcome> outcomes = new Batch(engine, texts, force, plots).run(sheet.rows(),
-			out.toPath(), List.of(input.toPath()), o -> say(o.line()), progress);
+		final Optional<Integer> most = movies == 0 ? Optional.empty() : Optional.of(movies);
+		final List<BatchOutcome> outcomes = new Batch(engine, texts, force, plots, most)
+			.run(sheet.rows(), out.toPath(), List.of(input.toPath()), o -> say(o.line()), progress);
 		final long failed = outcomes.stream().filter(o -> o.status() == Status.FAILED).count();
 		say((outcomes.size() - failed) + " of " + outcomes.size() + " movies have a result. List: "
-			+ new File(out, BatchList.FILE));
+			+ new File(out, BatchList.FILE) + ", page: " + new File(out, BatchList.PAGE));
 	}
 }

@@ -75,7 +75,8 @@ public final class ImageFile {
 	private static void requireAll(final Path file, final String printed) {
 		if (printed.contains("Out of memory"))
 			throw new UserException("There is not enough memory for " + file
-				+ ": not all frames were read; give Java more (JAVA_OPTS=-Xmx8g), or cut the movie.");
+				+ ": not all frames were read; give Java more (JAVA_OPTS=-Xmx8g), or cut the movie.",
+				new OutOfMemoryError());
 		if (printed.contains("Exception"))
 			throw new UserException(file
 				+ " is damaged: ImageJ could not read all of its pixels; copy the file again from its source.");

@@ -34,7 +34,7 @@ public final class BatchFolders {
 
 	private final Path out;
 	private final Map<String, RunIdentity> present = new TreeMap<>();
-	private final FolderNames names = new FolderNames(BatchList.FILE);
+	private final FolderNames names = new FolderNames(BatchList.FILE, BatchList.PAGE);
 	private final Map<BatchRow, Place> finished = new HashMap<>();
 
 	private BatchFolders(final Path out) {

@@ -2,12 +2,14 @@ package io.github.knotresolver.io;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
 import org.apache.commons.csv.CSVPrinter;
 
@@ -15,23 +17,41 @@ import io.github.knotresolver.model.UserException;
 
 /**
  * {@code batch.csv} in the folder of a batch: one row for every row of the sheet
- * that has had its turn. It is written anew after each of them, and is complete at
- * any time. While it is open no other batch writes to the folder.
+ * that has had its turn, in the sheet's order. It is written anew after each of them, and is complete
+ * at any time. Beside it, at the end, {@code batch.html}, a page that shows the results. While the list
+ * is open no other batch writes to the folder. For several threads.
  */
 public final class BatchList implements AutoCloseable {
 
 	/** The list's name. */
 	public static final String FILE = "batch.csv";
+	/** The page's name. */
+	public static final String PAGE = "batch.html";
+	/** What a page of this program has in its first lines. */
+	public static final String PAGE_MARK = "<meta name=\"generator\" content=\""
+		+ ProgramVersion.NAME + "\"";
+
+	/** Writes a page. */
+	@FunctionalInterface
+	public interface Page {
+
+		/**
+		 * @param file the new file
+		 * @throws IOException if it cannot be written
+		 */
+		void write(Path file) throws IOException;
+	}
 
 	private static final String[] HEADER = {"line", "movie", "status", "result", "message"};
+	private static final int MARK_LINES = 10;
 
-	private final Path file;
+	private final Path folder;
 	private final HiddenNames hidden;
 	private final FolderLock lock;
-	private final List<BatchOutcome> outcomes = new ArrayList<>();
+	private final SortedMap<Integer, BatchOutcome> outcomes = new TreeMap<>();
 
-	private BatchList(final Path file, final HiddenNames hidden, final FolderLock lock) {
-		this.file = file;
+	private BatchList(final Path folder, final HiddenNames hidden, final FolderLock lock) {
+		this.folder = folder;
 		this.hidden = hidden;
 		this.lock = lock;
 	}
@@ -47,7 +67,8 @@ public final class BatchList implements AutoCloseable {
 	 */
 	public static BatchList open(final Path out, final Collection<Path> inputs) throws IOException {
 		final Path folder = ResultPlace.of(out).target();
-		requireList(out, folder.resolve(FILE), inputs);
+		for (final String name : List.of(FILE, PAGE))
+			requireOurs(out, folder.resolve(name), inputs);
 		try {
 			Files.createDirectories(folder);
 		} catch (final IOException e) {
@@ -62,30 +83,33 @@ public final class BatchList implements AutoCloseable {
 		try {
 			Leftovers.clear(hidden, file);
 			Leftovers.clearAll(folder);
-			return new BatchList(file, hidden, lock);
+			return new BatchList(file.getParent(), hidden, lock);
 		} catch (final IOException | RuntimeException e) {
 			lock.close();
 			throw e;
 		}
 	}
 
-	private static void requireList(final Path out, final Path file, final Collection<Path> inputs)
+	private static void requireOurs(final Path out, final Path file, final Collection<Path> inputs)
 		throws IOException {
 		if (!Files.exists(file))
 			return;
+		final String name = file.getFileName().toString();
 		for (final Path input : inputs)
 			if (Files.exists(input) && Files.isSameFile(input, file))
-				throw new UserException("out " + out + " holds " + FILE
+				throw new UserException("out " + out + " holds " + name
 					+ ", which is read and would be replaced by the list of results; choose another folder.");
 		if (!isOurs(file))
-			throw new UserException("out " + out + " holds a " + FILE
+			throw new UserException("out " + out + " holds a " + name
 				+ " that is not a list of this program; move it away, or choose another folder.");
 	}
 
 	private static boolean isOurs(final Path file) {
 		try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
-			return String.join(",", HEADER).equals(reader.readLine());
-		} catch (final IOException e) {
+			return file.endsWith(FILE)
+				? String.join(",", HEADER).equals(reader.readLine())
+				: reader.lines().limit(MARK_LINES).anyMatch(line -> line.contains(PAGE_MARK));
+		} catch (final IOException | UncheckedIOException e) {
 			return false;
 		}
 	}
@@ -93,32 +117,44 @@ public final class BatchList implements AutoCloseable {
 	/**
 	 * Adds a row.
 	 *
+	 * @param index its place among the rows, from 0
 	 * @param outcome what came of it
 	 * @throws IOException if the list cannot be written
 	 */
-	public void add(final BatchOutcome outcome) throws IOException {
-		outcomes.add(outcome);
-		write();
-	}
-
-	private void write() throws IOException {
-		final Path workplace = Files.createDirectory(hidden.fresh(HiddenNames.PARTIAL));
-		try {
-			final Path list = workplace.resolve(FILE);
+	public synchronized void add(final int index, final BatchOutcome outcome) throws IOException {
+		outcomes.put(index, outcome);
+		replace(FILE, list -> {
 			try (CSVPrinter csv = CsvFile.create(list, HEADER)) {
-				for (final BatchOutcome o : outcomes)
+				for (final BatchOutcome o : outcomes.values())
 					csv.printRecord(o.row().line(), o.row().movie(), o.label(),
 						o.folder().orElse(""), o.message());
 			}
-			FileTrees.replace(list, file);
+		});
+	}
+
+	/**
+	 * Replaces the page.
+	 *
+	 * @param page writes it
+	 * @throws IOException if it cannot be written; the earlier one stays then
+	 */
+	public synchronized void page(final Page page) throws IOException {
+		replace(PAGE, page);
+	}
+
+	private void replace(final String name, final Page content) throws IOException {
+		final Path workplace = Files.createDirectory(hidden.fresh(HiddenNames.PARTIAL));
+		try {
+			content.write(workplace.resolve(name));
+			FileTrees.replace(workplace.resolve(name), folder.resolve(name));
 		} finally {
 			FileTrees.delete(workplace);
 		}
 	}
 
 	/** @return what came of the rows so far, in their order */
-	public List<BatchOutcome> outcomes() {
-		return List.copyOf(outcomes);
+	public synchronized List<BatchOutcome> outcomes() {
+		return List.copyOf(outcomes.values());
 	}
 
 	@Override

@@ -38,7 +38,7 @@ public record BatchOutcome(BatchRow row, Status status, Optional<String> folder,
 	}
 
 	/** @return the status, in a word */
-	String label() {
+	public String label() {
 		return status.name().toLowerCase(Locale.ROOT);
 	}
 }

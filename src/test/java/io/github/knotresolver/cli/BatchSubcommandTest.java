@@ -100,6 +100,7 @@ class BatchSubcommandTest {
 
 	@Test
 	void cancelKeepsWhatIsFinished() throws IOException {
+		// One at a time, so that the second has not begun when the first has ended.
 		final Progress progress = new Progress() {
 
 			@Override
@@ -111,7 +112,7 @@ class BatchSubcommandTest {
 				return resolved.get() == 2;
 			}
 		};
-		assertEquals(130, run(progress, home.resolve("in"), "--no-plots"));
+		assertEquals(130, run(progress, home.resolve("in"), "--no-plots", "--movies", "1"));
 		assertTrue(Files.exists(out.resolve("a/contours.csv")));
 		assertFalse(Files.exists(out.resolve("b")));
 		assertEquals(2, Files.readAllLines(out.resolve("batch.csv")).size());
@@ -166,8 +167,8 @@ class BatchSubcommandTest {
 			List.of("movie", "movie-2", "movie-3", "batch.csv-2", "a", "A-2", "", "", "", ""),
 			results());
 		assertEquals(List.of("in", "out", "sheet.csv"), names(home));
-		assertEquals(List.of("A-2", "a", "batch.csv", "batch.csv-2", "movie", "movie-2", "movie-3"),
-			names(out));
+		assertEquals(List.of("A-2", "a", "batch.csv", "batch.csv-2", "batch.html", "movie",
+			"movie-2", "movie-3"), names(out));
 		assertTrue(stderr.toString().contains("cannot be the name of a file"), stderr.toString());
 		assertEquals(1, run(sheet, "--no-plots"));
 		assertEquals(6, resolved.get());
@@ -189,6 +190,23 @@ class BatchSubcommandTest {
 	}
 
 	@Test
+	void foreignPageIsNeverOverwrittenAndOursIs() throws IOException {
+		Files.createDirectory(out);
+		final Path page = Files.writeString(out.resolve("batch.html"), "<html>mine</html>");
+		assertEquals(2, run(home.resolve("in"), "--force"));
+		assertTrue(stderr.toString().contains("holds a batch.html that is not"), stderr.toString());
+		assertEquals("<html>mine</html>", Files.readString(page));
+		Files.delete(page);
+		assertEquals(0, run(home.resolve("in")));
+		final String first = Files.readString(page);
+		assertEquals(0, run(home.resolve("in")));
+		assertTrue(Files.readString(page).contains("skipped"));
+		assertFalse(first.contains("skipped"));
+		assertEquals(2, run(home.resolve("in"), "--movies", "0"));
+		assertTrue(stderr.toString().contains("--movies must be at least 1"), stderr.toString());
+	}
+
+	@Test
 	void movieInsideAResultFolderIsNotReplaced() throws IOException {
 		assertEquals(0, run(sheet("FileName,FolderPath", "a.tif,in")));
 		final byte[] overlay = Files.readAllBytes(out.resolve("a/overlay.tif"));
@@ -204,7 +222,7 @@ class BatchSubcommandTest {
 		final Path dead = Files.createDirectories(out.resolve(".gone.partial-1-abc"));
 		Files.writeString(dead.resolve("half.csv"), "x");
 		assertEquals(0, run(sheet("FileName,FolderPath", "a.tif,in")));
-		assertEquals(List.of("a", "batch.csv"), names(out));
+		assertEquals(List.of("a", "batch.csv", "batch.html"), names(out));
 	}
 
 	/** The result column of the list. */

@@ -45,6 +45,21 @@ public final class TiffImage {
 		return new TiffImage(path).open(progress);
 	}
 
+	/**
+	 * @param path a file
+	 * @return how many pixels all of its frames have; 0 if it is no TIFF
+	 * @throws UserException if it is damaged, in one sentence
+	 * @throws IOException if it cannot be read
+	 */
+	public static long pixels(final Path path) throws IOException {
+		return TiffStructure.isTiff(path) ? (long) new TiffImage(path).pixels() : 0;
+	}
+
+	private double pixels() {
+		final double frames = Math.max(kind.frames().size(), description.promised());
+		return frames * kind.first().width() * kind.first().height() * kind.first().samples();
+	}
+
 	private ImagePlus open(final Progress progress) throws IOException {
 		requireImages();
 		requireMemory();
@@ -68,8 +83,7 @@ public final class TiffImage {
 	private void requireMemory() {
 		final TiffPage page = kind.first();
 		final int bytes = page.bits() <= 8 ? 1 : page.bits() <= 16 ? 2 : FLOAT_BYTES;
-		final double frames = Math.max(kind.frames().size(), description.promised());
-		final double needed = frames * page.width() * page.height() * page.samples() * bytes;
+		final double needed = pixels() * bytes;
 		if (needed > Runtime.getRuntime().maxMemory())
 			throw noMemory("needs " + (long) Math.ceil(needed / MEGABYTE) + " MB");
 	}
@@ -77,7 +91,8 @@ public final class TiffImage {
 	private UserException noMemory(final String what) {
 		return new UserException("There is not enough memory for " + path + ": it " + what
 			+ ", and Java has " + Runtime.getRuntime().maxMemory() / MEGABYTE
-			+ " MB; give Java more (JAVA_OPTS=-Xmx8g, in ImageJ Edit > Options > Memory & Threads), or cut the movie.");
+			+ " MB; give Java more (JAVA_OPTS=-Xmx8g, in ImageJ Edit > Options > Memory & Threads), or cut the movie.",
+			new OutOfMemoryError());
 	}
 
 	private ImagePlus byImageJ() throws IOException {
