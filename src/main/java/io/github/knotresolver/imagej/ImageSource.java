@@ -1,10 +1,12 @@
 package io.github.knotresolver.imagej;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 
 import ij.ImagePlus;
+import io.github.knotresolver.imagej.tiff.TiffImage;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.progress.Progress;
@@ -16,6 +18,7 @@ public final class ImageSource implements MovieSource {
 	private final Function<Progress, ImagePlus> opener;
 	private final Optional<Path> file;
 	private RoiConverter rois;
+	private List<String> notes = List.of();
 
 	private ImageSource(final Function<Progress, ImagePlus> opener, final Optional<Path> file) {
 		this.opener = opener;
@@ -43,8 +46,14 @@ public final class ImageSource implements MovieSource {
 	public Movie read(final InputOptions options, final Progress progress) {
 		final ImagePlus image = opener.apply(progress);
 		final Movie movie = ImageMovie.of(image, options);
+		notes = image.getProperty(TiffImage.NOTE) instanceof String note ? List.of(note) : List.of();
 		rois = RoiConverter.forImage(image, options.channel());
 		return movie;
+	}
+
+	@Override
+	public List<String> notes() {
+		return notes;
 	}
 
 	@Override

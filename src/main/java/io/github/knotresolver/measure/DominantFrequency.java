@@ -52,12 +52,10 @@ public record DominantFrequency(double frequency, double standardError, double a
 				peak = k;
 		final TimeSeries series = TimeSeries.of(values, interval).detrended();
 		final double f = refined(series, spectrum.frequency()[peak]);
-		final SineFits sine = SineFits.plain(series, f);
-		final double[] c = sine.coefficients(series, 0);
-		final double amplitude = Math.hypot(c[0], c[1]);
+		final SineFit sine = new SineFit(series, f);
 		return Optional.of(new DominantFrequency(f,
-			standardError(series, sine.residual(series, 0), amplitude), amplitude,
-			Math.atan2(c[1], c[0]), new RedNoiseTest(series).falseAlarmProbability()));
+			standardError(series, sine), sine.amplitude(),
+			sine.phase(), new RedNoiseTest(series).falseAlarmProbability()));
 	}
 
 	/** @return whether noise alone would hardly do this */
@@ -73,7 +71,7 @@ public record DominantFrequency(double frequency, double standardError, double a
 		try {
 			return new BrentOptimizer(1e-10, 1e-12).optimize(new MaxEval(200), GoalType.MINIMIZE,
 				new UnivariateObjectiveFunction(
-					f -> SineFits.plain(series, f).residual(series, 0).variance()),
+					f -> new SineFit(series, f).residual().variance()),
 				new SearchInterval(low, high, Math.min(high, peak))).getPoint();
 		} catch (final TooManyEvaluationsException e) {
 			// Nothing near the peak fits better than the peak itself.
@@ -81,12 +79,12 @@ public record DominantFrequency(double frequency, double standardError, double a
 		}
 	}
 
-	private static double standardError(final TimeSeries series, final TimeSeries noise,
-		final double amplitude) {
+	private static double standardError(final TimeSeries series, final SineFit sine) {
+		final TimeSeries noise = sine.residual();
 		final int n = series.size();
 		final double sigma = Math.sqrt(noise.variance() * n / Math.max(1, n - 5));
 		final double rho = Math.max(0, noise.correlation());
 		return Math.sqrt(6.0 / n * (1 + rho) / (1 - rho)) * sigma
-			/ (Math.PI * series.duration() * amplitude);
+			/ (Math.PI * series.duration() * sine.amplitude());
 	}
 }

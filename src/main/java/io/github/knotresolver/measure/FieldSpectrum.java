@@ -28,19 +28,15 @@ final class FieldSpectrum {
 	/** @return the frequency of the highest power; empty if nothing moves */
 	Optional<Double> peak() {
 		final double interval = field.interval();
-		double[] frequencies = {}, power = {};
+		// One grid for all places, from the duration of the whole movie.
+		final FrequencyGrid grid = FrequencyGrid.over(field.frames(), OVERSAMPLING, interval);
+		final double[] power = new double[grid.size()];
 		for (int j = 0; j < field.columns(); j += Math.max(1, field.columns() / PLACES)) {
 			final double[] values = field.series(j);
 			if (!isReached(values, leastFrames))
 				continue;
 			final TimeSeries series = TimeSeries.of(values, interval).detrended();
-			if (frequencies.length == 0) {
-				// One grid for all places, from the duration of the whole movie.
-				frequencies = Spectrum
-					.frequencies(TimeSeries.of(new double[field.frames()], interval), OVERSAMPLING);
-				power = new double[frequencies.length];
-			}
-			final double[] a = SineFits.tapered(series, frequencies).amplitudes(series);
+			final double[] a = SineFits.tapered(series, grid).amplitudes(series);
 			for (int k = 0; k < a.length; k++)
 				power[k] += a[k] * a[k];
 		}
@@ -48,9 +44,9 @@ final class FieldSpectrum {
 		for (int k = 1; k < power.length; k++)
 			if (power[k] > power[best])
 				best = k;
-		return power.length == 0 || power[best] < 1e-20
+		return power[best] < 1e-20
 			? Optional.empty()
-			: Optional.of(frequencies[best]
+			: Optional.of(grid.frequency(best)
 				+ summit(power, best) / (OVERSAMPLING * field.frames() * interval));
 	}
 

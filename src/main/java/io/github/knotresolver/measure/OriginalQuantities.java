@@ -87,15 +87,13 @@ public record OriginalQuantities(int[] frame, double[] length, double[] tipAngle
 		final int n = values.length;
 		if (n < 3)
 			return Double.NaN;
-		final double[] frequencies = new double[n / 2];
-		for (int k = 0; k < frequencies.length; k++)
-			frequencies[k] = (k + 1) / (n * interval);
+		final FrequencyGrid grid = new FrequencyGrid(1, n / 2, n, interval);
 		final TimeSeries series = TimeSeries.of(values, interval);
-		final double[] amplitude = SineFits.plain(series, frequencies).amplitudes(series);
+		final double[] amplitude = SineFits.plain(series, grid).amplitudes(series);
 		int best = 0;
 		for (int k = 1; k < amplitude.length; k++)
 			if (amplitude[k] > amplitude[best])
 				best = k;
-		return frequencies[best];
+		return grid.frequency(best);
 	}
 }

@@ -36,14 +36,13 @@ final class PhaseProfile {
 			if (!FieldSpectrum.isReached(values, leastFrames))
 				continue;
 			final TimeSeries series = TimeSeries.of(values, field.interval()).detrended();
-			final SineFits sine = SineFits.plain(series, frequency);
-			final double[] c = sine.coefficients(series, 0);
+			final SineFit sine = new SineFit(series, frequency);
 			place[k] = j * field.step();
-			amplitude[k] = Math.hypot(c[0], c[1]);
-			final double angle = Math.atan2(c[1], c[0]);
+			amplitude[k] = sine.amplitude();
+			final double angle = sine.phase();
 			phase[k] = k == 0 ? angle : Angles.nearest(angle, phase[k - 1]);
 			total += series.variance();
-			rest += sine.residual(series, 0).variance();
+			rest += sine.residual().variance();
 			k++;
 		}
 		final double explained = total > 0 ? 1 - rest / total : 0;

@@ -28,7 +28,8 @@ final class RedNoiseTest {
 	/** @param series a series without trend */
 	RedNoiseTest(final TimeSeries series) {
 		this.series = series;
-		this.fits = SineFits.tapered(series, Spectrum.frequencies(series, OVERSAMPLING));
+		this.fits = SineFits.tapered(series,
+			FrequencyGrid.over(series.frames(), OVERSAMPLING, series.interval()));
 	}
 
 	/** @return the part of simulations that stand out as much, never quite 0 */
@@ -53,7 +54,7 @@ final class RedNoiseTest {
 		for (int k = 1; k < amplitudes.length; k++)
 			if (amplitudes[k] > amplitudes[peak])
 				peak = k;
-		final double turn = 2 * Math.PI * fits.frequencies()[peak] * s.interval();
+		final double turn = 2 * Math.PI * fits.grid().frequency(peak) * s.interval();
 		final double noise = s.variance() * (1 - rho * rho)
 			/ (1 - 2 * rho * Math.cos(turn) + rho * rho);
 		return amplitudes[peak] * amplitudes[peak] / noise;
@@ -64,9 +65,8 @@ final class RedNoiseTest {
 		final double kick = Math.sqrt(1 - rho * rho);
 		double state = random.nextGaussian();
 		int frame = 1;
-		final double start = series.time(0);
 		for (int i = 0; i < values.length; i++) {
-			final int at = (int) Math.rint((series.time(i) - start) / series.interval());
+			final int at = series.frame(i) - series.frame(0);
 			for (; frame <= at; frame++)
 				state = rho * state + kick * random.nextGaussian();
 			values[i] = state;

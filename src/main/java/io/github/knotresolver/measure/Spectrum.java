@@ -7,8 +7,8 @@ package io.github.knotresolver.measure;
  * doi:10.1051/0004-6361:200811296), which fits a sine and a constant at each
  * frequency to the values that are there, so missing frames need no filling
  * in. The straight trend is removed first, and the values are weighted with
- * Hann's window, so a slow drift does not leak into the spectrum. O(values ×
- * frequencies).
+ * Hann's window, so a slow drift does not leak into the spectrum. O(n log n) for n
+ * frames.
  *
  * @param frequency from one cycle in the movie to half the frame rate, in
  *          1/unit of time, ascending
@@ -32,19 +32,9 @@ public record Spectrum(double[] frequency, double[] amplitude) {
 		final TimeSeries rest = series.detrended();
 		if (!rest.isVaried())
 			return new Spectrum(new double[0], new double[0]);
-		final SineFits fits = SineFits.tapered(rest, frequencies(rest, OVERSAMPLING));
-		return new Spectrum(fits.frequencies(), fits.amplitudes(rest));
-	}
-
-	/** From one cycle in the series to half the frame rate. */
-	static double[] frequencies(final TimeSeries series, final int oversampling) {
-		final double step = 1 / (series.duration() * oversampling);
-		final int n = Math.max(1,
-			(int) Math.floor(0.5 / series.interval() / step + 1e-9) - oversampling + 1);
-		final double[] out = new double[n];
-		for (int i = 0; i < n; i++)
-			out[i] = (i + oversampling) * step;
-		return out;
+		final SineFits fits = SineFits.tapered(rest,
+			FrequencyGrid.over(rest.frames(), OVERSAMPLING, interval));
+		return new Spectrum(fits.grid().frequencies(), fits.amplitudes(rest));
 	}
 
 	/** @return number of frequencies */

@@ -47,12 +47,22 @@ final class TimeSeries {
 		return time[i];
 	}
 
+	/** @return index of the frame, from 0 */
+	int frame(final int i) {
+		return (int) Math.rint(time[i] / interval);
+	}
+
 	double value(final int i) {
 		return value[i];
 	}
 
 	double interval() {
 		return interval;
+	}
+
+	/** @return how many frames there are from the first value to the last */
+	int frames() {
+		return frame(size() - 1) - frame(0) + 1;
 	}
 
 	/** @return duration of the frames between the first and last value */

@@ -2,6 +2,7 @@ package io.github.knotresolver.model;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.stream.Stream;
 
 /**
  * The result: every filament through every frame of the movie.
@@ -62,6 +63,17 @@ public record Tracks(Movie movie, Settings settings, List<FilamentTrack> filamen
 		return found.status() == FrameStatus.CORRECTED || settings.constraints().stream()
 			.anyMatch(c -> c.frame() == found.frame() && c.filament() == filament
 				&& c.confirms(found.contour()));
+	}
+
+	/**
+	 * @param first what a user should know before all else
+	 * @return the same with these notes before its own
+	 */
+	public Tracks noted(final List<String> first) {
+		return first.isEmpty()
+			? this
+			: new Tracks(movie, settings, filaments,
+				Stream.concat(first.stream(), notes.stream()).toList());
 	}
 
 	/** @return how many frames have a contour of any filament */

@@ -1,6 +1,7 @@
 package io.github.knotresolver.run;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 
 import io.github.knotresolver.model.Movie;
@@ -20,6 +21,11 @@ public interface MovieSource {
 	 * @throws UserException if it cannot be read or used, in one sentence
 	 */
 	Movie read(InputOptions options, Progress progress);
+
+	/** @return what a person should know of how the movie was read, a sentence each */
+	default List<String> notes() {
+		return List.of();
+	}
 
 	/** @return the movie's file; empty if it has none */
 	Optional<Path> file();

@@ -63,7 +63,7 @@ public final class ResolveRun {
 	public Work read(final MovieSource source, final Progress progress) {
 		final Movie movie = source.read(options.input(), progress);
 		final Settings settings = options.settings(movie, CorrectionsCsv.of(options));
-		return new Work(movie, settings, source.file());
+		return new Work(movie, settings, source);
 	}
 
 	/** A run whose input is fine. */
@@ -72,11 +72,13 @@ public final class ResolveRun {
 		private final Movie movie;
 		private final Settings settings;
 		private final Optional<Path> file;
+		private final List<String> notes;
 
-		private Work(final Movie movie, final Settings settings, final Optional<Path> file) {
+		private Work(final Movie movie, final Settings settings, final MovieSource source) {
 			this.movie = movie;
 			this.settings = settings;
-			this.file = file;
+			this.file = source.file();
+			this.notes = source.notes();
 		}
 
 		/**
@@ -95,7 +97,7 @@ public final class ResolveRun {
 				? Optional.empty()
 				: RunIdentity.of(file, texts, progress);
 			final MeasuredTracks result = MeasuredTracks
-				.of(engine.resolve(movie, settings, progress), progress);
+				.of(engine.resolve(movie, settings, progress).noted(notes), progress);
 			final List<String> leftOut = sink
 				.write(new Outcome(result, options.input(), identity, List.of()), progress);
 			return new Outcome(result, options.input(), identity, leftOut);

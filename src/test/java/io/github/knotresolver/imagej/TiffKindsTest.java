@@ -33,6 +33,7 @@ import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.RunOptions;
+import io.github.knotresolver.progress.Progress;
 
 /** Kinds of TIFF that ImageJ alone does not read, or reads wrong. */
 class TiffKindsTest {
@@ -189,6 +190,24 @@ class TiffKindsTest {
 		}
 	}
 
+	/** A type that nobody knows, and a count beyond the file: ImageJ would read on for ever. */
+	@ParameterizedTest
+	@ValueSource(ints = {279, 50838, 320, 270, 65535})
+	void countBeyondTheFileIsRefused(final int tag) throws IOException {
+		final TiffBuilder tiff = new TiffBuilder(false);
+		for (int t = 0; t < FRAMES; t++)
+			tiff.page(W, H, 8, pixels(t, 1, (out, v) -> out.put((byte) v))).put(tag,
+				new long[]{9, 9});
+		final Path file = tiff.write(home.resolve("count.tif"));
+		final ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(file))
+			.order(ByteOrder.LITTLE_ENDIAN);
+		for (int i = 0; i < bytes.limit() - 12; i++)
+			if (bytes.getShort(i) == (short) tag && bytes.getInt(i + 4) == 2)
+				bytes.putShort(i + 2, (short) 0x1700).putInt(i + 4, 0x10401);
+		Files.write(file, bytes.array());
+		assertTrue(refusal(file).contains("is cut off"), refusal(file));
+	}
+
 	@ParameterizedTest
 	@ValueSource(ints = {0, 1, 2})
 	void listThatRunsInACircleIsRefused(final int back) throws IOException {
@@ -210,6 +229,11 @@ class TiffKindsTest {
 			tags.put(TiffBuilder.COLOUR_MAP, map);
 		});
 		assertRead(file, 0);
+		final String few = refusal(file(false, 8, (out, v) -> out.put((byte) v), tags -> {
+			tags.put(TiffBuilder.PHOTOMETRIC, new long[]{3});
+			tags.put(TiffBuilder.COLOUR_MAP, new long[30]);
+		}));
+		assertTrue(few.contains("its palette has 10 colours, not one for each of its 256"), few);
 		map[3] = 5;
 		final String message = refusal(file(false, 8, (out, v) -> out.put((byte) v), tags -> {
 			tags.put(TiffBuilder.PHOTOMETRIC, new long[]{3});
@@ -257,6 +281,29 @@ class TiffKindsTest {
 			message.contains("3 channels and one frame") && message.contains("add z_as_time"),
 			message);
 		assertRead(file, 0);
+	}
+
+	/** A file that says nothing of its images, or nothing that is known. */
+	@ParameterizedTest
+	@ValueSource(strings = {"", "made by a camera", "ImageJ=1.54p\nimages=3\n",
+		"{'shape': [3, 20, 30]}", "{'shape': [3, 20, 30], 'axes': 'QYX'}"})
+	void imagesOfWhichNothingIsToldAreFrames(final String description) throws IOException {
+		final ImageSource source = ImageSource.of(described(description.replace('\'', '"')));
+		assertEquals(FRAMES, source.read(RunOptions.parse(Map.of()).input(), Progress.NONE).size());
+		assertEquals(List.of(
+			"'described.tif' does not say what its 3 images are; they are read as frames, in their order."),
+			source.notes());
+	}
+
+	@ParameterizedTest
+	@ValueSource(strings = {"ImageJ=1.54p\nimages=3\nslices=3\n",
+		"{'shape': [3, 20, 30], 'axes': 'ZYX'}"})
+	void slicesThatAreToldAreNoFrames(final String description) throws IOException {
+		final ImageSource source = ImageSource.of(described(description.replace('\'', '"')));
+		final String message = assertThrows(UserException.class,
+			() -> source.read(RunOptions.parse(Map.of()).input(), Progress.NONE)).getMessage();
+		assertTrue(message.contains("is a Z-stack of 3 slices"), message);
+		assertRead(home.resolve("described.tif"), 0);
 	}
 
 	private Path described(final String description) throws IOException {
@@ -382,7 +429,11 @@ class TiffKindsTest {
 	void kindsOfOthersAreRead(final String name) {
 		final Path file = FAULTS.resolve(name);
 		assumeTrue(Files.exists(file), "There is no " + file + " beside the checkout.");
-		assertEquals(name.equals("int32.tif") ? 4 : 24, asTime(file).size());
+		final boolean channels = name.equals("int32.tif") || name.equals("as-channels.tif");
+		final Movie movie = channels
+			? asTime(file)
+			: ImageMovie.of(ImageFile.open(file), RunOptions.parse(Map.of()).input());
+		assertEquals(name.equals("int32.tif") ? 4 : 24, movie.size());
 	}
 
 	@ParameterizedTest

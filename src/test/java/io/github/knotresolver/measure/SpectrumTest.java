@@ -48,6 +48,36 @@ class SpectrumTest {
 		assertEquals(0.25, s.frequency()[s.size() - 1], 1e-12);
 	}
 
+	/** Sums over all values, one frequency after the other, missing frames left out. */
+	@Test
+	void amplitudesAreThoseOfLeastSquaresAtEachFrequency() {
+		final Random random = new Random(5);
+		for (int trial = 0; trial < 20; trial++) {
+			final double[] v = sine(9 + random.nextInt(60), 0.5, 0.2, 1, 0, 1, random);
+			for (int i = random.nextInt(3); i < v.length - 8; i += 3 + random.nextInt(4))
+				v[i] = Double.NaN;
+			final TimeSeries series = TimeSeries.of(v, 0.5);
+			final FrequencyGrid grid = FrequencyGrid.over(series.frames(), 4, 0.5);
+			final double[] found = SineFits.plain(series, grid).amplitudes(series);
+			for (int k = 0; k < grid.size(); k++)
+				assertEquals(new SineFit(series, grid.frequency(k)).amplitude(), found[k],
+					1e-9 * (1 + found[k]), "trial " + trial + ", frequency " + k);
+		}
+	}
+
+	/** Tables of cosine and sine for each frame and frequency would need 170 GB. */
+	@Test
+	void longMoviesNeedLittleMemory() {
+		final double[] v = sine(70_001, 0.1, 1.23, 2, 0.4, 0.5, new Random(6));
+		final Spectrum s = Spectrum.of(v, 0.1);
+		int peak = 0;
+		for (int k = 1; k < s.size(); k++)
+			if (s.amplitude()[k] > s.amplitude()[peak])
+				peak = k;
+		assertEquals(1.23, s.frequency()[peak], 1e-4);
+		assertEquals(2, s.amplitude()[peak], 0.02);
+	}
+
 	@Test
 	void tooFewOrConstantValuesHaveNoFrequency() {
 		assertTrue(

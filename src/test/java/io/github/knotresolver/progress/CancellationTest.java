@@ -64,7 +64,7 @@ class CancellationTest {
 			Arguments.of("thinning", 10, (Runnable) () -> Skeletonize.thin(block(40))),
 			Arguments.of("active contour", 50,
 				(Runnable) () -> ChanVese.evolve(ArrayImgs.floats(40, 40), block(40), 50, 0, 0)),
-			Arguments.of("frequencies", 1000, (Runnable) () -> DominantFrequency.of(wave(60), 1)));
+			Arguments.of("frequencies", 350, (Runnable) () -> DominantFrequency.of(wave(60), 1)));
 	}
 
 	/** One question a round of each loop, in all threads. */

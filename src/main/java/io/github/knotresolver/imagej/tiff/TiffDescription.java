@@ -3,6 +3,7 @@ package io.github.knotresolver.imagej.tiff;
 import java.io.IOException;
 import java.io.StringReader;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.Properties;
 
 import com.google.gson.JsonObject;
@@ -59,22 +60,26 @@ final class TiffDescription {
 	/**
 	 * @param planes how many there are
 	 * @param perImage how many of them each image has
-	 * @return what they are; slices if nothing is told
+	 * @return what they are, if it is told
 	 */
-	TiffAxes axes(final int planes, final int perImage) {
+	Optional<TiffAxes> axes(final int planes, final int perImage) {
 		if (isOme())
-			return OmeXml.parse(path.toString(), page.description()).axes(path, planes);
+			return Optional
+				.of(OmeXml.parse(path.toString(), page.description()).axes(path, planes));
 		if (page.description().startsWith("{"))
-			return axesOfTifffile(planes, perImage);
+			return axesOfTifffile(planes);
+		if (!imageJ.containsKey("channels") && !imageJ.containsKey("slices")
+			&& !imageJ.containsKey("frames"))
+			return Optional.empty();
 		final int c = (int) number("channels", 1), z = (int) number("slices", 1),
 			t = (int) number("frames", 1);
-		return c > 0 && z > 0 && t > 0 && (double) c * z * t == planes
+		return Optional.of(c > 0 && z > 0 && t > 0 && (double) c * z * t == planes
 			? TiffAxes.inOrder(c, z, t)
-			: TiffAxes.inOrder(perImage, planes / perImage, 1);
+			: TiffAxes.inOrder(perImage, planes / perImage, 1));
 	}
 
 	/** {@code {"shape": [24, 2, 54, 100], "axes": "TCYX"}}. */
-	private TiffAxes axesOfTifffile(final int planes, final int perImage) {
+	private Optional<TiffAxes> axesOfTifffile(final int planes) {
 		final int[] sizes = {1, 1, 1};
 		final StringBuilder order = new StringBuilder();
 		try {
@@ -90,15 +95,17 @@ final class TiffDescription {
 		} catch (final JsonParseException | IllegalStateException | UnsupportedOperationException
 			| NumberFormatException | IndexOutOfBoundsException | ClassCastException
 			| NullPointerException e) {
-			return TiffAxes.inOrder(perImage, planes / perImage, 1);
+			return Optional.empty();
 		}
+		if (order.length() == 0)
+			return Optional.empty();
 		for (final char axis : "CZT".toCharArray())
 			if (order.indexOf(String.valueOf(axis)) < 0)
 				order.append(axis);
 		return sizes[0] > 0 && sizes[1] > 0 && sizes[2] > 0
 			&& (double) sizes[0] * sizes[1] * sizes[2] == planes
-				? TiffAxes.ordered(order.toString(), sizes[0], sizes[1], sizes[2])
-				: TiffAxes.inOrder(perImage, planes / perImage, 1);
+				? Optional.of(TiffAxes.ordered(order.toString(), sizes[0], sizes[1], sizes[2]))
+				: Optional.empty();
 	}
 
 	/** Puts what is told of pixels and time, as ImageJ's opener does, into an image's. */

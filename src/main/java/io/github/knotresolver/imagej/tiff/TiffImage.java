@@ -4,6 +4,7 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 
 import ij.ImagePlus;
 import ij.ImageStack;
@@ -19,6 +20,9 @@ import io.github.knotresolver.progress.Progress;
  * frames came is checked: too little memory makes ImageJ leave out the last.
  */
 public final class TiffImage {
+
+	/** Property of an image: a sentence on how it was read, for people. */
+	public static final String NOTE = "KnotResolver.note";
 
 	private static final int MEGABYTE = 1 << 20, FLOAT_BYTES = 4;
 
@@ -112,7 +116,9 @@ public final class TiffImage {
 		if (found < expected)
 			throw noMemory("has " + expected + " frames, of which " + found + " were read");
 		if (description.isForeign())
-			describe(image, found / kind.frames().size());
+			calibrate(image);
+		if (description.isForeign() || description.axes(found, 1).isEmpty())
+			arrange(image);
 		return image;
 	}
 
@@ -124,13 +130,23 @@ public final class TiffImage {
 		info.fileName = path.getFileName().toString();
 		info.description = kind.first().description();
 		image.setFileInfo(info);
-		describe(image, stack.size() / kind.frames().size());
+		calibrate(image);
+		arrange(image);
 		return image;
 	}
 
-	private void describe(final ImagePlus image, final int perImage) {
-		description.axes(image.getStackSize(), perImage).arrange(image);
+	private void calibrate(final ImagePlus image) {
 		description.calibrate(image.getCalibration());
+	}
+
+	/** Images of which nothing is told are frames: the file is named as a movie. */
+	private void arrange(final ImagePlus image) {
+		final int planes = image.getStackSize(), perImage = Math.max(1, planes / kind.frames().size());
+		final Optional<TiffAxes> told = description.axes(planes, perImage);
+		told.orElseGet(() -> TiffAxes.inOrder(perImage, 1, planes / perImage)).arrange(image);
 		image.setOpenAsHyperStack(image.getNChannels() > 1);
+		if (told.isEmpty() && image.getNFrames() > 1)
+			image.setProperty(NOTE, "'" + path.getFileName() + "' does not say what its "
+				+ image.getNFrames() + " images are; they are read as frames, in their order.");
 	}
 }

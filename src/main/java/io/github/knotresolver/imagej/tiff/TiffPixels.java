@@ -37,7 +37,7 @@ final class TiffPixels {
 	/**
 	 * @param path the file
 	 * @param page any of its frames, which all are of one kind
-	 * @throws UserException if its palette has colours
+	 * @throws UserException if its palette has colours, or too few numbers
 	 */
 	TiffPixels(final Path path, final TiffPage page) {
 		this.path = path;
@@ -49,6 +49,9 @@ final class TiffPixels {
 	private byte[] greys() {
 		final long[] map = page.values(TiffPage.COLOUR_MAP);
 		final int n = map.length / 3;
+		if (n < 1L << page.bits())
+			throw TiffStructure.damaged(path, "its palette has " + n + " colours, not one for each of its "
+				+ (1L << page.bits()) + " numbers");
 		final byte[] greys = new byte[n];
 		for (int i = 0; i < n; i++) {
 			if (map[i] != map[n + i] || map[i] != map[2 * n + i])
@@ -135,7 +138,7 @@ final class TiffPixels {
 
 	private int unsigned(final int sample) {
 		if (palette != null)
-			return palette[Math.min(sample, palette.length - 1)] & 0xff;
+			return palette[sample & (1 << page.bits()) - 1] & 0xff;
 		if (page.format() != TiffPage.SIGNED)
 			return page.bits() == 1 ? 0xff * (sample & 1) : sample;
 		return page.bits() <= BYTE ? (byte) sample + 128 : (short) sample + 32768;

@@ -133,6 +133,7 @@ public final class TiffStructure {
 			for (int i = 0; i < entries; i++) {
 				final ByteBuffer entry = table.slice(i * size, size).order(order);
 				final int tag = entry.getShort() & 0xffff;
+				requireCount(entry);
 				if (tag == TiffPage.DESCRIPTION)
 					description = text(entry);
 				else if (isWanted(tag))
@@ -144,6 +145,14 @@ public final class TiffStructure {
 		}
 		if (pages.isEmpty())
 			throw damaged(path, "it names no image");
+	}
+
+	/** Others believe a count of any kind, and read so many numbers wherever they are. */
+	private void requireCount(final ByteBuffer entry) throws IOException {
+		final int at = entry.position() + 2;
+		final long count = big ? entry.getLong(at) : entry.getInt(at) & 0xffffffffL;
+		if (count < 0 || count > file.size())
+			throw new EOFException();
 	}
 
 	private static boolean isWanted(final int tag) {
@@ -181,8 +190,6 @@ public final class TiffStructure {
 	private ByteBuffer content(final ByteBuffer entry, final int bytes) throws IOException {
 		final long count = big ? entry.getLong() : entry.getInt() & 0xffffffffL;
 		final int inside = big ? 8 : 4;
-		if (count < 0 || count > file.size())
-			throw new EOFException();
 		final int size = Math.toIntExact(Math.min(Integer.MAX_VALUE, count * bytes));
 		if (size <= inside)
 			return entry.slice(entry.position(), size).order(order);
