@@ -65,7 +65,8 @@ final class BatchTurn {
 	Optional<BatchOutcome> isDone(final BatchRow row, final BatchFolders.Place place) {
 		return place.isFinished() && !batch.overwrite()
 			? Optional.of(new BatchOutcome(row, Status.SKIPPED, Optional.of(place.name()),
-				"There is a result already; add force to do it again."))
+				"The same movie was resolved with these options before, in folder " + place.name()
+					+ "; add force to do it again."))
 			: Optional.empty();
 	}
 

@@ -126,7 +126,7 @@ public final class BatchList implements AutoCloseable {
 		replace(FILE, list -> {
 			try (CSVPrinter csv = CsvFile.create(list, HEADER)) {
 				for (final BatchOutcome o : outcomes.values())
-					csv.printRecord(o.row().line(), o.row().movie(), o.label(),
+					csv.printRecord(o.row().line(), o.row().shown(), o.label(),
 						o.folder().orElse(""), o.message());
 			}
 		});

@@ -49,6 +49,11 @@ public record BatchRow(int line, String movie, Map<String, String> texts, List<S
 			movie.substring(Math.max(movie.lastIndexOf('/'), movie.lastIndexOf('\\')) + 1));
 	}
 
+	/** @return the movie's file as a list or a person can be shown it */
+	String shown() {
+		return visible(movie);
+	}
+
 	/** Text of a sheet may hold characters that no terminal shows. */
 	private static String visible(final String text) {
 		return text.replaceAll("\\p{Cntrl}", "\uFFFD");

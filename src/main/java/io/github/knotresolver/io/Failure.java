@@ -97,6 +97,7 @@ public record Failure(Kind kind, String sentence) {
 	}
 
 	private static String oneLine(final String message) {
-		return String.valueOf(message).strip().replaceAll("\\s*\\R\\s*", " ");
+		return String.valueOf(message).strip().replaceAll("\\s*\\R\\s*", " ")
+			.replaceAll("\\p{Cntrl}", "\uFFFD");
 	}
 }

@@ -6,7 +6,9 @@ import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.Files;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.LinkOption;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.BitSet;
@@ -62,8 +64,7 @@ final class FolderLock implements Closeable {
 		while (true) {
 			if (Files.isSymbolicLink(file))
 				throw foreign(file);
-			final FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE,
-				StandardOpenOption.READ, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
+			final FileChannel channel = open(file);
 			boolean kept = false;
 			try {
 				if (!tryLock(channel))
@@ -77,6 +78,17 @@ final class FolderLock implements Closeable {
 				if (!kept)
 					channel.close();
 			}
+		}
+	}
+
+	/** Some folders of the system say that they can be written to, and take no file. */
+	private static FileChannel open(final Path file) throws IOException {
+		try {
+			return FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.READ,
+				StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
+		} catch (final NoSuchFileException | AccessDeniedException e) {
+			throw new UserException("The folder " + file.getParent()
+				+ " takes no new file; choose another output.", e);
 		}
 	}
 

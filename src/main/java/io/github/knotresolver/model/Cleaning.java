@@ -21,7 +21,7 @@ public record Cleaning(int logSize, double logSigma) {
 						+ logSize + ".");
 			if (!(logSigma > 0 && logSigma <= 50))
 				throw new UserException(
-					"log_sigma must be above 0 and at most 50 pixels, but is " + logSigma + ".");
+					"log_sigma must be above 0 and at most 50 pixels, but is " + ShownNumber.of(logSigma) + ".");
 		}
 	}
 

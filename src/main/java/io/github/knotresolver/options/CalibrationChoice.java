@@ -3,11 +3,11 @@ package io.github.knotresolver.options;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
 import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.ShownNumber;
 import io.github.knotresolver.model.UserException;
 
 /**
@@ -86,23 +86,23 @@ public record CalibrationChoice(OptionalDouble pixelSize, Optional<String> unit,
 		final boolean named = unit.isPresent();
 		if (!named && image.hasLengthUnit() && !image.unit().equals(UnitText.MICROMETRE))
 			throw new UserException(
-				"pixel_size is " + text(size) + ", but not in which unit, and the image's own is "
+				"pixel_size is " + ShownNumber.of(size) + ", but not in which unit, and the image's own is "
 					+ image.unit() + "; add unit=µm, or add unit=" + image.unit() + ".");
 		final String in = unit.orElse(UnitText.MICROMETRE);
 		if (in.equals(Calibration.NONE.unit()))
-			throw new UserException("pixel_size is " + text(size)
+			throw new UserException("pixel_size is " + ShownNumber.of(size)
 				+ ", but unit is pixel, in which a pixel is 1; leave one of them out.");
 		final OptionalDouble micrometres = UnitText.micrometres(in);
 		if (micrometres.isPresent() && !isPlausible(size * micrometres.getAsDouble()))
 			throw new UserException(
-				"pixel_size must be from 0.1 nm to 1 mm, but is " + text(size) + " " + in + ".");
+				"pixel_size must be from 0.1 nm to 1 mm, but is " + ShownNumber.of(size) + " " + in + ".");
 		return new Calibration(size, in, 1, Calibration.NONE.timeUnit());
 	}
 
 	private Calibration known(final Calibration image) {
 		if (unit.isEmpty()) {
 			if (!isPlausible(image))
-				throw new UserException("The image's pixels are " + text(image.pixelSize()) + " "
+				throw new UserException("The image's pixels are " + ShownNumber.of(image.pixelSize()) + " "
 					+ image.unit()
 					+ " large, which is no microscope's; tell pixel_size and unit, or unit=pixel for results in pixels.");
 			return image;
@@ -136,15 +136,11 @@ public record CalibrationChoice(OptionalDouble pixelSize, Optional<String> unit,
 			return Calibration.NONE;
 		if (!in.timeUnit().equals(UnitText.SECOND))
 			throw new UserException(
-				"The image's frames are " + text(image.frameInterval()) + " " + image.timeUnit()
+				"The image's frames are " + ShownNumber.of(image.frameInterval()) + " " + image.timeUnit()
 					+ " apart, which is no unit of time; tell frame_interval in seconds.");
 		if (!(in.frameInterval() >= SHORTEST && in.frameInterval() <= LONGEST))
 			throw new UserException("frame_interval must be from 1e-9 s to a year, but is "
-				+ text(in.frameInterval()) + " s.");
+				+ ShownNumber.of(in.frameInterval()) + " s.");
 		return in;
-	}
-
-	private static String text(final double value) {
-		return String.format(Locale.ROOT, "%.6g", value).replaceFirst("\\.?0+(e|$)", "$1");
 	}
 }

@@ -10,6 +10,7 @@ import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.ShownNumber;
 import io.github.knotresolver.model.UserException;
 
 /** Which frames are to be resolved, once movie and parameters are known to fit together. */
@@ -75,7 +76,7 @@ public record FrameChoice(Movie movie, Settings parameters) {
 	private void requirePossible(final double length) {
 		if (length > LONGEST * (movie.width() + movie.height()))
 			throw new UserException(
-				"length is " + length + " pixels, which is far too long for an image of "
+				"length is " + ShownNumber.of(length) + " pixels, which is far too long for an image of "
 					+ movie.width() + " x " + movie.height()
 					+ " pixels; give it in the image's unit, " + movie.calibration().unit() + ".");
 	}

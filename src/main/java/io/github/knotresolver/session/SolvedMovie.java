@@ -57,7 +57,7 @@ final class SolvedMovie {
 		final Workers workers, final Progress progress) {
 		final PreparedMovie prepared = PreparedMovie.of(movie, settings, wanted, workers, progress);
 		if (prepared.frames().isEmpty())
-			throw nothingFound(movie);
+			throw nothingFound(movie, settings);
 		final Optional<SceneTracks> scene = scene(prepared, settings, workers, progress);
 		return new SolvedMovie(movie, prepared, scene,
 			scene.isPresent()
@@ -85,7 +85,7 @@ final class SolvedMovie {
 		final List<FrameView> frames = alone(prepared, working, workers, progress);
 		final Point fixedEnd = working.fixedEnd()
 			.orElseGet(() -> new FixedEndFinder(frames, progress).find()
-				.orElseThrow(() -> nothingFound(movie)));
+				.orElseThrow(() -> nothingFound(movie, settings)));
 		return new FrameResolver(working, prepared.kinds(), frames, fixedEnd);
 	}
 
@@ -133,9 +133,9 @@ final class SolvedMovie {
 				prepared.pixels().in(told.constraints().stream()
 					.filter(c -> c.kind().isOfContour()).toList()),
 				workers, progress)
-			.orElseThrow(() -> nothingFound(movie));
+			.orElseThrow(() -> nothingFound(movie, told));
 		if (found.frames().stream().allMatch(f -> f.contour().isEmpty()))
-			throw nothingFound(movie);
+			throw nothingFound(movie, told);
 		notes.addAll(found.notes());
 		return new FilamentTrack(1, Anchor.CLAMPED, Optional.of(found.fixedEnd()), found.length(),
 			found.lengthError(), everyFrame(prepared.withLost(found.frames())));
@@ -207,9 +207,12 @@ final class SolvedMovie {
 				+ "filament's clamped end, in pixels, or none to have it found.");
 	}
 
-	private static UserException nothingFound(final Movie movie) {
+	private static UserException nothingFound(final Movie movie, final Settings settings) {
 		return new UserException("No filament was found in '" + movie.name()
-			+ "': no line can be followed in any frame; check the channel, "
-			+ "tell the fixed end, or set a threshold.");
+			+ "': no line can be followed in any frame"
+			+ settings.fixedEnd()
+				.map(end -> " from fixed_end " + end
+					+ "; check this point and the channel, or set a threshold.")
+				.orElse("; check the channel, tell fixed_end, or set a threshold."));
 	}
 }

@@ -3,6 +3,7 @@ package io.github.knotresolver.simulate;
 
 import java.util.Locale;
 
+import io.github.knotresolver.model.ShownNumber;
 import io.github.knotresolver.model.UserException;
 
 /**
@@ -18,18 +19,12 @@ final class Require {
 		final String unit) {
 		if (!(value >= low && value <= high))
 			throw new UserException(String.format(Locale.ROOT,
-				"%s must be %s to %s%s, but is %s; choose a value in that range.", key, text(low),
-				text(high), unit.isEmpty() ? "" : " " + unit, text(value)));
+				"%s must be %s to %s%s, but is %s; choose a value in that range.", key, ShownNumber.of(low),
+				ShownNumber.of(high), unit.isEmpty() ? "" : " " + unit, ShownNumber.of(value)));
 		return value;
 	}
 
 	static int within(final String key, final int value, final int low, final int high) {
 		return (int) within(key, (double) value, low, high, "");
-	}
-
-	private static String text(final double value) {
-		return value == Math.rint(value) && Math.abs(value) < 1e15
-			? Long.toString((long) value)
-			: Double.toString(value);
 	}
 }

@@ -63,7 +63,10 @@ class BatchSubcommandTest {
 
 		assertEquals(1, run(sheet, "--no-plots"));
 		assertEquals(2, resolved.get());
-		assertTrue(stdout.toString().contains("a.tif: skipped."), stdout.toString());
+		assertTrue(
+			stdout.toString().contains(
+				"a.tif: skipped. The same movie was resolved with these options before, in folder a-2;"),
+			stdout.toString());
 		assertEquals(1, run(sheet, "--no-plots", "--force"));
 		assertEquals(4, resolved.get());
 	}
@@ -96,6 +99,30 @@ class BatchSubcommandTest {
 		out = Files.writeString(home.resolve("file"), "x");
 		assertEquals(2, run(home.resolve("in")));
 		assertEquals(0, resolved.get());
+	}
+
+	/** A row that hits a bug says so and names the log; the others go on. */
+	@Test
+	void bugInOneRowLeavesASentenceAndTheRestGoesOn() throws IOException {
+		final Path sheet = sheet("FileName,FolderPath", "a.tif,in", "b.tif,in", "a.tif,in/more");
+		final RuntimeException[] bugs = {new IllegalArgumentException("index 7\nof 5"),
+			new NullPointerException()};
+		assertEquals(1, KnotResolverMain.run((movie, parameters, p) -> {
+			final int row = resolved.getAndIncrement();
+			if (row < bugs.length)
+				throw bugs[row];
+			return TestImages.resolve(movie, parameters, p);
+		}, Progress.NONE, new PrintWriter(stdout), new PrintWriter(stderr), "batch",
+			sheet.toString(), "--out", out.toString(), "--no-plots"));
+		assertEquals(List.of("", "", "a-2"), results());
+		final List<String> list = Files.readAllLines(out.resolve("batch.csv"));
+		assertTrue(list.get(1).contains("This is a bug in KnotResolver")
+			&& list.get(1).contains("IllegalArgumentException: index 7 of 5"), list.get(1));
+		for (int row = 1; row <= 2; row++) {
+			final Path log = Path.of(list.get(row).replaceFirst(".*attach (.*?), which.*", "$1"));
+			assertTrue(Files.readString(log).contains(bugs[row - 1].getClass().getName()));
+		}
+		assertEquals(List.of("a-2", "batch.csv"), names(out));
 	}
 
 	@Test
@@ -170,6 +197,7 @@ class BatchSubcommandTest {
 		assertEquals(List.of("A-2", "a", "batch.csv", "batch.csv-2", "batch.html", "movie",
 			"movie-2", "movie-3"), names(out));
 		assertTrue(stderr.toString().contains("cannot be the name of a file"), stderr.toString());
+		assertFalse((Files.readString(out.resolve("batch.csv")) + stderr).contains("\0"));
 		assertEquals(1, run(sheet, "--no-plots"));
 		assertEquals(6, resolved.get());
 	}

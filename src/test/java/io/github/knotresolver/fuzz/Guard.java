@@ -11,11 +11,14 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.CancelledException;
+import io.github.knotresolver.progress.Progress;
 
 /**
  * Runs what an input starts, and tells what must not happen: any failure but a sentence for
@@ -59,42 +62,68 @@ public final class Guard {
 	 */
 	public void run(final Supplier<String> input, final Runnable work) {
 		run(input, work,
-			() -> ManagementFactory.getThreadMXBean().getThreadCpuTime(thread.getId()));
+			() -> ManagementFactory.getThreadMXBean().getThreadCpuTime(thread.getId()), () -> {
+			});
 	}
 
 	/**
-	 * The same for work on several threads.
+	 * The same for work on several threads that can be cancelled. Too long work is a failure; it is
+	 * cancelled then, and must end soon.
 	 *
 	 * @param input the input, for the message
-	 * @param work reads it
+	 * @param work does it; the listener cancels
 	 */
-	public void runThreads(final Supplier<String> input, final Runnable work) {
-		run(input, work, () -> ((com.sun.management.OperatingSystemMXBean) ManagementFactory
-			.getOperatingSystemMXBean()).getProcessCpuTime());
+	public void runThreads(final Supplier<String> input, final Consumer<Progress> work) {
+		final AtomicBoolean cancelled = new AtomicBoolean();
+		run(input, () -> work.accept(new Cancelling(cancelled)),
+			() -> ((com.sun.management.OperatingSystemMXBean) ManagementFactory
+				.getOperatingSystemMXBean()).getProcessCpuTime(),
+			() -> cancelled.set(true));
 	}
 
-	private void run(final Supplier<String> input, final Runnable work, final LongSupplier clock) {
+	private record Cancelling(AtomicBoolean cancelled) implements Progress {
+
+		@Override
+		public void report(final String stage, final double fraction) {
+			// Nobody looks.
+		}
+
+		@Override
+		public boolean isCancelled() {
+			return cancelled.get();
+		}
+	}
+
+	private void run(final Supplier<String> input, final Runnable work, final LongSupplier clock,
+		final Runnable cancel) {
 		final Future<?> running = executor.submit(work);
 		final long start = thread == null ? 0 : clock.getAsLong();
+		boolean late = false;
 		for (int waited = 0;; waited++)
 			try {
 				running.get(1, TimeUnit.SECONDS);
-				count(name + " read");
+				count(name + (late ? " cancelled" : " read"));
 				return;
 			} catch (final ExecutionException e) {
 				judge(input, e.getCause());
 				return;
 			} catch (final TimeoutException e) {
-				if (clock.getAsLong() - start > LONGEST || waited > LONGEST_WAIT) {
+				final long used = clock.getAsLong() - start;
+				if (used > 2 * LONGEST || waited > LONGEST_WAIT) {
 					running.cancel(true);
 					throw endless(input);
+				}
+				if (!late && used > LONGEST) {
+					late = true;
+					report(input, endless(input));
+					cancel.run();
 				}
 			} catch (final InterruptedException e) {
 				throw new IllegalStateException(e);
 			}
 	}
 
-	/** Ends the test at once, for the work goes on and takes the time of what follows. */
+	/** Where the work is that takes so long. */
 	private AssertionError endless(final Supplier<String> input) {
 		final AssertionError endless = new AssertionError(
 			name + ": work without end\n  for " + input.get());
@@ -157,10 +186,15 @@ public final class Guard {
 	/** Fails if failures were counted. */
 	public static void assertNone() {
 		if (COLLECT)
-			OUTCOMES.forEach((outcome, times) -> System.out.println(times + " " + outcome));
+			synchronized (OUTCOMES) {
+				OUTCOMES.forEach((outcome, times) -> System.out.println(times + " " + outcome));
+				OUTCOMES.clear();
+			}
 		synchronized (COUNTS) {
-			if (!COUNTS.isEmpty())
-				throw new AssertionError(COUNTS.toString());
+			final String counts = COUNTS.isEmpty() ? "" : COUNTS.toString();
+			COUNTS.clear();
+			if (!counts.isEmpty())
+				throw new AssertionError(counts);
 		}
 	}
 }

@@ -8,8 +8,6 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.ShrinkingMode;
-import net.jqwik.api.lifecycle.AfterContainer;
-import net.jqwik.api.lifecycle.BeforeContainer;
 
 import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageMovie;
@@ -17,25 +15,12 @@ import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.options.RunOptions;
 
 /** TIFF files are opened, or refused in a sentence, and soon, whatever their directories say. */
-class ImagesFuzzTest {
+class ImagesFuzzTest extends Fuzzing {
 
 	private static final Guard GUARD = new Guard("images");
 
 	private static final InputOptions SLICES_ARE_FRAMES = RunOptions
 		.parse(Map.of("z_as_time", "true")).input();
-
-	private static Scratch folder;
-
-	@BeforeContainer
-	static void makeFolder() {
-		folder = new Scratch();
-	}
-
-	@AfterContainer
-	static void judge() {
-		folder.delete();
-		Guard.assertNone();
-	}
 
 	@Provide
 	Arbitrary<byte[]> tiffs() {

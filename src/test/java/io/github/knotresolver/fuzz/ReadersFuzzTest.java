@@ -15,8 +15,6 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.ShrinkingMode;
 import net.jqwik.api.Tuple;
-import net.jqwik.api.lifecycle.AfterContainer;
-import net.jqwik.api.lifecycle.BeforeContainer;
 
 import io.github.knotresolver.imagej.form.MacroOptions;
 import io.github.knotresolver.io.BatchSheet;
@@ -29,24 +27,11 @@ import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.options.RunOptions;
 
 /** Every reader understands what it is given, or refuses it in a sentence, and soon. */
-class ReadersFuzzTest {
+class ReadersFuzzTest extends Fuzzing {
 
 	private static final String SEED = "20260101";
 
 	private static final List<String> POINTS = List.of("frame", "index", "x_px", "y_px");
-
-	private static Scratch folder;
-
-	@BeforeContainer
-	static void makeFolder() {
-		folder = new Scratch();
-	}
-
-	@AfterContainer
-	static void judge() {
-		folder.delete();
-		Guard.assertNone();
-	}
 
 	@Provide
 	Arbitrary<byte[]> contours() {

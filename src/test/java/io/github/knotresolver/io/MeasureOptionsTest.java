@@ -25,7 +25,7 @@ class MeasureOptionsTest {
 		"smoothing_window|1e-300|smoothing_window must be from 0.1 to 60 µm, but is '1e-300'.",
 		"persistence_length|1e308|persistence_length must be from 0.000001 to 1000000000, but is '1e308'.",
 		"rigidity|1e-300|rigidity must be from 0.000001 to 1000000000 pN µm², but is '1e-300'.",
-		"pixel_size|1e308|pixel_size must be from 0.1 nm to 1 mm, but is 1e+308 µm."})
+		"pixel_size|1e308|pixel_size must be from 0.1 nm to 1 mm, but is 1e308 µm."})
 	void valuesWithoutPhysicalSenseAreRefused(final String key, final String text,
 		final String sentence) {
 		assertEquals(sentence,

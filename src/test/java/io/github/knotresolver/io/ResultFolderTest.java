@@ -178,6 +178,15 @@ class ResultFolderTest {
 		assertEquals(List.of("file", "link"), FileTrees.names(home));
 	}
 
+	/** The kernel's folders say that they can be written to, and take no file. */
+	@Test
+	void folderThatTakesNoFileIsSaidBeforeTheWork() {
+		assumeTrue(Files.isDirectory(Path.of("/proc/self")), "There is no /proc here.");
+		out = Path.of("/proc/result");
+		assertTrue(refusal(false).matches(".*(takes no new file|not writable); choose another.*"),
+			refusal(false));
+	}
+
 	@Test
 	void folderThatIsNotWritableIsSaidBeforeTheWork() throws IOException {
 		final Path locked = Files.createDirectory(home.resolve("locked"));

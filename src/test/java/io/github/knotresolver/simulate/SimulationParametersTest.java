@@ -31,7 +31,7 @@ class SimulationParametersTest {
 			wrong(() -> new Schedule(300, 1_000_000, 0.005, 0),
 				"frames must be 2 to 10000, but is 1000000; choose a value in that range."), //
 			wrong(() -> new Schedule(300, 120, 0, 0),
-				"time_step must be 1.0E-5 to 0.1 s, but is 0; choose a value in that range."), //
+				"time_step must be 0.00001 to 0.1 s, but is 0; choose a value in that range."), //
 			wrong(() -> new PaperRenderer(Double.NaN, 1),
 				"snr must be -30 to 100 dB, but is NaN; choose a value in that range."), //
 			wrong(() -> new Optics(1.5, 100, -3, 2, 10, 0, 1, 0),
