@@ -9,6 +9,9 @@ final class Blobs {
 	/** The curvature along is more than this part of that across. */
 	private static final double ROUND = 0.5;
 
+	/** A spot's mean curvature is above this part of the limit: 0.75 of it if it is just round, less for rounding. */
+	private static final double LEAST_MEAN = 0.7;
+
 	/** A spot and what its light does to the ridges around it reach this many line widths. */
 	private static final double REACH = 3;
 
@@ -53,6 +56,8 @@ final class Blobs {
 
 	private static boolean isRound(final Hessian h, final int at, final double limit) {
 		final double mean = -(h.xx()[at] + h.yy()[at]) / 2;
+		if (!(mean > LEAST_MEAN * limit))
+			return false;
 		final double half = Math.hypot((h.xx()[at] - h.yy()[at]) / 2, h.xy()[at]);
 		return mean + half > limit && mean - half > ROUND * (mean + half);
 	}

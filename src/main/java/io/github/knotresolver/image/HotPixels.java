@@ -36,35 +36,64 @@ public final class HotPixels {
 	public static float[] clip(final float[] in, final int width) {
 		final int height = in.length / width;
 		final float[] out = new float[in.length];
-		final float[] around = new float[8];
-		for (int y = 0; y < height; y++) {
-			final int up = Math.max(y - 1, 0) * width, here = y * width;
-			final int down = Math.min(y + 1, height - 1) * width;
-			for (int x = 0; x < width; x++) {
-				final int left = Math.max(x - 1, 0), right = Math.min(x + 1, width - 1);
-				around[0] = in[up + left];
-				around[1] = in[up + x];
-				around[2] = in[up + right];
-				around[3] = in[here + left];
-				around[4] = in[here + right];
-				around[5] = in[down + left];
-				around[6] = in[down + x];
-				around[7] = in[down + right];
-				out[here + x] = held(in[here + x], around);
-			}
-		}
+		final Row row = new Row(width);
+		for (int y = 0; y < height; y++)
+			row.clip(in, Math.max(y - 1, 0) * width, y * width,
+				Math.min(y + 1, height - 1) * width, out);
 		return out;
 	}
 
-	private static float held(final float value, final float[] around) {
-		float first = Float.NEGATIVE_INFINITY, second = Float.NEGATIVE_INFINITY;
-		float last = Float.POSITIVE_INFINITY, secondLast = Float.POSITIVE_INFINITY;
-		for (final float v : around) {
-			second = Math.max(second, Math.min(first, v));
-			first = Math.max(first, v);
-			secondLast = Math.min(secondLast, Math.max(last, v));
-			last = Math.min(last, v);
+	/** Works on a row at a time, without branches. Beyond the border its pixels are repeated. */
+	private static final class Row {
+
+		private final int width;
+		/** Of the pixels above and below each: the larger, the smaller. */
+		private final float[] larger, smaller;
+		/** Of each column of three: the largest, the smallest, the middle one; a column more at both sides. */
+		private final float[] most, least, middle;
+
+		Row(final int width) {
+			this.width = width;
+			larger = new float[width];
+			smaller = new float[width];
+			most = new float[width + 2];
+			least = new float[width + 2];
+			middle = new float[width + 2];
 		}
-		return Math.max(secondLast, Math.min(second, value));
+
+		void clip(final float[] in, final int up, final int here, final int down,
+			final float[] out) {
+			for (int x = 0; x < width; x++) {
+				larger[x] = Math.max(in[up + x], in[down + x]);
+				smaller[x] = Math.min(in[up + x], in[down + x]);
+			}
+			for (int x = 0; x < width; x++) {
+				final float value = in[here + x];
+				most[x + 1] = Math.max(larger[x], value);
+				least[x + 1] = Math.min(smaller[x], value);
+				middle[x + 1] = Math.max(smaller[x], Math.min(larger[x], value));
+			}
+			for (final float[] columns : new float[][]{most, least, middle}) {
+				columns[0] = columns[1];
+				columns[width + 1] = columns[width];
+			}
+			for (int x = 0; x < width; x++)
+				out[here + x] = Math.max(secondSmallest(x), Math.min(secondLargest(x), in[here + x]));
+		}
+
+		/** Of the eight neighbours. */
+		private float secondLargest(final int x) {
+			final float sides = Math.max(most[x], most[x + 2]);
+			final float second = Math.max(Math.min(most[x], most[x + 2]),
+				Math.max(middle[x], middle[x + 2]));
+			return Math.max(Math.min(sides, larger[x]), Math.max(second, smaller[x]));
+		}
+
+		private float secondSmallest(final int x) {
+			final float sides = Math.min(least[x], least[x + 2]);
+			final float second = Math.min(Math.max(least[x], least[x + 2]),
+				Math.min(middle[x], middle[x + 2]));
+			return Math.min(Math.max(sides, smaller[x]), Math.min(second, larger[x]));
+		}
 	}
 }

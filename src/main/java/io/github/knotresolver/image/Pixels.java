@@ -4,6 +4,7 @@ package io.github.knotresolver.image;
 import net.imglib2.Cursor;
 import net.imglib2.RandomAccessibleInterval;
 import net.imglib2.img.Img;
+import net.imglib2.img.array.ArrayImg;
 import net.imglib2.img.array.ArrayImgs;
 import net.imglib2.img.basictypeaccess.array.LongArray;
 import net.imglib2.type.logic.BitType;
@@ -80,10 +81,23 @@ public final class Pixels {
 	 */
 	public static boolean[] bits(final RandomAccessibleInterval<BitType> mask) {
 		final boolean[] bits = new boolean[width(mask) * height(mask)];
+		if (mask instanceof ArrayImg<?, ?> array && array.update(null) instanceof LongArray packed) {
+			unpack(packed.getCurrentStorageArray(), bits);
+			return bits;
+		}
 		final Cursor<BitType> cursor = Views.flatIterable(mask).cursor();
 		for (int i = 0; i < bits.length; i++)
 			bits[i] = cursor.next().get();
 		return bits;
+	}
+
+	private static void unpack(final long[] packed, final boolean[] bits) {
+		for (int word = 0; word < packed.length; word++)
+			for (long rest = packed[word]; rest != 0; rest &= rest - 1) {
+				final int at = word * Long.SIZE + Long.numberOfTrailingZeros(rest);
+				if (at < bits.length)
+					bits[at] = true;
+			}
 	}
 
 	/**

@@ -25,7 +25,8 @@ final class RidgeNoise {
 	private static final double LEAST = 1e-3;
 
 	private final int width, height, columns, rows;
-	private final float[][] samples;
+	/** Magnitudes as the bits of their floats, which are in the same order. */
+	private final int[][] samples;
 	private final int[] counts;
 	private float largest;
 
@@ -34,22 +35,36 @@ final class RidgeNoise {
 		this.height = height;
 		columns = (int) Math.max(1, Math.round((double) width / TILE));
 		rows = (int) Math.max(1, Math.round((double) height / TILE));
-		samples = new float[columns * rows][256];
+		samples = new int[columns * rows][256];
 		counts = new int[columns * rows];
 	}
 
 	/** Takes every third response of a row. */
 	void add(final int y, final float[] response, final int from) {
-		final int row = y * rows / height;
-		for (int x = 0; x < width; x += STRIDE)
-			add(row * columns + x * columns / width, Math.abs(response[from + x]));
+		final int row = y * rows / height * columns;
+		int x = 0;
+		for (int column = 0; column < columns; column++) {
+			// The first that belongs to the next tile.
+			final int end = ((column + 1) * width + columns - 1) / columns;
+			x = add(row + column, response, from, x, end);
+		}
 	}
 
-	private void add(final int tile, final float magnitude) {
-		if (counts[tile] == samples[tile].length)
-			samples[tile] = Arrays.copyOf(samples[tile], 2 * counts[tile]);
-		samples[tile][counts[tile]++] = magnitude;
-		largest = Math.max(largest, magnitude);
+	/** Every third response from a column to another; gives the next one's column. */
+	private int add(final int tile, final float[] response, final int from, final int begin,
+		final int end) {
+		if (counts[tile] + (end - begin) / STRIDE + 1 > samples[tile].length)
+			samples[tile] = Arrays.copyOf(samples[tile],
+				2 * samples[tile].length + end - begin);
+		final int[] of = samples[tile];
+		int count = counts[tile], x = begin;
+		for (; x < end; x += STRIDE) {
+			final float magnitude = Math.abs(response[from + x]);
+			of[count++] = Float.floatToRawIntBits(magnitude);
+			largest = Math.max(largest, magnitude);
+		}
+		counts[tile] = count;
+		return x;
 	}
 
 	/** @return the standard deviation at every pixel, above 0 */
@@ -68,11 +83,37 @@ final class RidgeNoise {
 		return interpolated(calm);
 	}
 
-	private static double quantile(final float[] values, final int count) {
-		if (count == 0)
-			return 0;
-		Arrays.sort(values, 0, count);
-		return values[(int) (QUANTILE * (count - 1))];
+	private static double quantile(final int[] values, final int count) {
+		return count == 0
+			? 0
+			: Float.intBitsToFloat(smallest(values, count, (int) (QUANTILE * (count - 1))));
+	}
+
+	/** The value that would be at a place if the first so many were sorted; O(count). Hoare 1961, doi:10.1145/366622.366647. */
+	private static int smallest(final int[] values, final int count, final int place) {
+		int low = 0, high = count - 1;
+		while (low < high) {
+			final int pivot = values[(low + high) >>> 1];
+			int i = low, j = high;
+			while (i <= j) {
+				while (values[i] < pivot)
+					i++;
+				while (values[j] > pivot)
+					j--;
+				if (i <= j) {
+					final int swap = values[i];
+					values[i++] = values[j];
+					values[j--] = swap;
+				}
+			}
+			if (place <= j)
+				high = j;
+			else if (place >= i)
+				low = i;
+			else
+				return values[place];
+		}
+		return values[place];
 	}
 
 	/** Medians of each tile and its neighbours: one that is full of filament does not count. */
@@ -93,25 +134,31 @@ final class RidgeNoise {
 
 	private float[] interpolated(final double[] tiles) {
 		final float[] field = new float[width * height];
+		final double[] above = new double[width], below = new double[width];
+		int drawn = -1;
 		for (int y = 0; y < height; y++) {
 			final double v = Math.min(Math.max((y + 0.5) * rows / height - 0.5, 0), rows - 1);
-			final int up = (int) v, down = Math.min(up + 1, rows - 1);
-			for (int x = 0; x < width; x++) {
-				final double u = Math.min(Math.max((x + 0.5) * columns / width - 0.5, 0),
-					columns - 1);
-				final int left = (int) u, right = Math.min(left + 1, columns - 1);
-				final double above = mixed(tiles, up * columns + left, up * columns + right,
-					u - left);
-				final double below = mixed(tiles, down * columns + left, down * columns + right,
-					u - left);
-				field[y * width + x] = (float) (above + (v - up) * (below - above));
+			final int up = (int) v;
+			if (up != drawn) {
+				alongRow(tiles, up, above);
+				alongRow(tiles, Math.min(up + 1, rows - 1), below);
+				drawn = up;
 			}
+			final double share = v - up;
+			final int row = y * width;
+			for (int x = 0; x < width; x++)
+				field[row + x] = (float) (above[x] + share * (below[x] - above[x]));
 		}
 		return field;
 	}
 
-	private static double mixed(final double[] tiles, final int a, final int b,
-		final double share) {
-		return tiles[a] + share * (tiles[b] - tiles[a]);
+	/** A row of tiles, interpolated. */
+	private void alongRow(final double[] tiles, final int row, final double[] out) {
+		for (int x = 0; x < width; x++) {
+			final double u = Math.min(Math.max((x + 0.5) * columns / width - 0.5, 0), columns - 1);
+			final int left = (int) u, right = Math.min(left + 1, columns - 1);
+			final double value = tiles[row * columns + left];
+			out[x] = value + (u - left) * (tiles[row * columns + right] - value);
+		}
 	}
 }

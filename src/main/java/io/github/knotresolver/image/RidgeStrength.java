@@ -1,6 +1,7 @@
 package io.github.knotresolver.image;
 
 import java.util.Arrays;
+import java.util.function.IntUnaryOperator;
 
 import net.imglib2.RandomAccessibleInterval;
 import net.imglib2.img.Img;
@@ -30,14 +31,17 @@ public final class RidgeStrength {
 
 	private final int width;
 	private final float[] strength, noise;
-	private final byte[] direction;
+	private final IntUnaryOperator directions;
+	/** Directions that were asked for, from 1; most never are. */
+	private final byte[] known;
 
-	private RidgeStrength(final int width, final float[] strength, final byte[] direction,
-		final float[] noise) {
+	private RidgeStrength(final int width, final float[] strength,
+		final IntUnaryOperator directions, final float[] noise) {
 		this.width = width;
 		this.strength = strength;
-		this.direction = direction;
+		this.directions = directions;
 		this.noise = noise;
+		known = new byte[strength.length];
 	}
 
 	/**
@@ -82,15 +86,17 @@ public final class RidgeStrength {
 	/** Without the average along: the principal curvature at every pixel; its noise is not known. */
 	static RidgeStrength principal(final Hessian h) {
 		final float[] strength = new float[h.xx().length];
-		final byte[] direction = new byte[strength.length];
 		for (int at = 0; at < strength.length; at++) {
 			final double xx = h.xx()[at], xy = h.xy()[at], yy = h.yy()[at];
-			strength[at] = (float) (Math.hypot((xx - yy) / 2, xy) - (xx + yy) / 2);
-			final double along = Math.atan2(2 * xy, xx - yy) / 2;
-			direction[at] = (byte) Math.floorMod(Math.round(along / Math.PI * DIRECTIONS),
-				DIRECTIONS);
+			final double half = (xx - yy) / 2;
+			strength[at] = (float) (Math.sqrt(half * half + xy * xy) - (xx + yy) / 2);
 		}
-		return new RidgeStrength(h.width(), strength, direction, strength);
+		return new RidgeStrength(h.width(), strength, at -> along(h, at), strength);
+	}
+
+	private static int along(final Hessian h, final int at) {
+		final double along = Math.atan2(2.0 * h.xy()[at], (double) h.xx()[at] - h.yy()[at]) / 2;
+		return (int) Math.floorMod(Math.round(along / Math.PI * DIRECTIONS), DIRECTIONS);
 	}
 
 	/** @return the second derivative, per px² */
@@ -115,7 +121,9 @@ public final class RidgeStrength {
 
 	/** @return the direction along the line, 0 to below pi, from x towards y */
 	double angle(final int at) {
-		return Math.PI * direction[at] / DIRECTIONS;
+		if (known[at] == 0)
+			known[at] = (byte) (directions.applyAsInt(at) + 1);
+		return Math.PI * (known[at] - 1) / DIRECTIONS;
 	}
 
 	int width() {
@@ -129,8 +137,8 @@ public final class RidgeStrength {
 		private final int width, height, reach;
 		private final float[] weights;
 		private final float[] best;
-		private final byte[] argument;
 		private final float[] padded, rows, sums;
+		private final int[] from;
 		private final RidgeNoise noise;
 
 		Bank(final Hessian hessian, final double along) {
@@ -138,22 +146,14 @@ public final class RidgeStrength {
 			width = hessian.width();
 			height = hessian.height();
 			reach = (int) Math.ceil(REACH * along);
-			weights = weights(reach, along);
+			weights = SeparableFilter.floats(SeparableFilter.gauss(2 * reach + 1, along));
 			best = new float[width * height];
-			argument = new byte[width * height];
 			padded = new float[width + 2 * reach];
 			rows = new float[padded.length * height];
 			sums = new float[width];
+			from = new int[weights.length];
 			noise = new RidgeNoise(width, height);
 			Arrays.fill(best, Float.NEGATIVE_INFINITY);
-		}
-
-		private static float[] weights(final int reach, final double sigma) {
-			final double[] gauss = SeparableFilter.gauss(2 * reach + 1, sigma);
-			final float[] weights = new float[gauss.length];
-			for (int i = 0; i < weights.length; i++)
-				weights[i] = (float) gauss[i];
-			return weights;
 		}
 
 		RidgeStrength best() {
@@ -161,44 +161,111 @@ public final class RidgeStrength {
 				Cancellation.check();
 				look(k);
 			}
-			return new RidgeStrength(width, best, argument, noise.field());
+			final Responses responses = new Responses(hessian, weights);
+			return new RidgeStrength(width, best, responses::strongest, noise.field());
 		}
 
 		private void look(final int k) {
-			final double c = Math.cos(Math.PI * k / DIRECTIONS);
-			final double s = Math.sin(Math.PI * k / DIRECTIONS);
-			across((float) (2 * s * c), (float) (s * s), (float) (c * c));
+			final Direction d = new Direction(k);
+			across(d);
 			for (int y = 0; y < height; y++) {
-				along(y, c, s);
+				for (int i = -reach; i <= reach; i++)
+					from[i + reach] = Math.min(Math.max(y + d.rows(i), 0), height - 1)
+						* padded.length + reach + d.columns(i);
+				SeparableFilter.sum(rows, from, weights, sums);
 				if (k % SAMPLED == 0 && y % RidgeNoise.STRIDE == 0)
 					noise.add(y, sums, 0);
-				for (int x = 0, at = y * width; x < width; x++, at++)
-					if (sums[x] > best[at]) {
-						best[at] = sums[x];
-						argument[at] = (byte) k;
-					}
+				raise(best, y * width, sums);
 			}
 		}
 
+		private static void raise(final float[] best, final int row, final float[] sums) {
+			for (int x = 0; x < sums.length; x++)
+				best[row + x] = Math.max(best[row + x], sums[x]);
+		}
+
 		/** The negative second derivative across the direction, its rows padded. */
-		private void across(final float mixed, final float alongX, final float alongY) {
+		private void across(final Direction d) {
 			for (int y = 0; y < height; y++) {
-				final int row = y * width;
-				for (int x = 0; x < width; x++)
-					sums[x] = mixed * hessian.xy()[row + x] - alongX * hessian.xx()[row + x]
-						- alongY * hessian.yy()[row + x];
+				d.across(hessian, y * width, sums);
 				SeparableFilter.pad(sums, 0, width, reach, padded);
 				System.arraycopy(padded, 0, rows, y * padded.length, padded.length);
 			}
 		}
+	}
 
-		private void along(final int y, final double c, final double s) {
-			Arrays.fill(sums, 0);
-			for (int i = -reach; i <= reach; i++) {
-				final int v = Math.min(Math.max(y + (int) Math.rint(i * s), 0), height - 1);
-				SeparableFilter.add(rows, v * padded.length + reach + (int) Math.rint(i * c),
-					weights[i + reach], sums);
+	/** One of the directions along a line. */
+	private static final class Direction {
+
+		private final double c, s;
+		private final float mixed, alongX, alongY;
+
+		Direction(final int k) {
+			c = Math.cos(Math.PI * k / DIRECTIONS);
+			s = Math.sin(Math.PI * k / DIRECTIONS);
+			mixed = (float) (2 * s * c);
+			alongX = (float) (s * s);
+			alongY = (float) (c * c);
+		}
+
+		/** @return columns to the pixel that is so many steps on */
+		int columns(final int steps) {
+			return (int) Math.rint(steps * c);
+		}
+
+		/** @return rows to the pixel that is so many steps on */
+		int rows(final int steps) {
+			return (int) Math.rint(steps * s);
+		}
+
+		/** The negative second derivative across it, in a row. */
+		void across(final Hessian h, final int row, final float[] out) {
+			final float[] xx = h.xx(), xy = h.xy(), yy = h.yy();
+			for (int x = 0; x < out.length; x++)
+				out[x] = mixed * xy[row + x] - alongX * xx[row + x] - alongY * yy[row + x];
+		}
+
+		float across(final Hessian h, final int at) {
+			return mixed * h.xy()[at] - alongX * h.xx()[at] - alongY * h.yy()[at];
+		}
+	}
+
+	/** The responses of all filters at single pixels, as the bank has them. */
+	private static final class Responses {
+
+		private final Hessian hessian;
+		private final float[] weights;
+		private final Direction[] directions = new Direction[DIRECTIONS];
+
+		Responses(final Hessian hessian, final float[] weights) {
+			this.hessian = hessian;
+			this.weights = weights;
+			Arrays.setAll(directions, Direction::new);
+		}
+
+		int strongest(final int at) {
+			int strongest = 0;
+			float most = Float.NEGATIVE_INFINITY;
+			for (int k = 0; k < DIRECTIONS; k++) {
+				final float response = response(directions[k], at);
+				if (response > most) {
+					most = response;
+					strongest = k;
+				}
 			}
+			return strongest;
+		}
+
+		private float response(final Direction d, final int at) {
+			final int width = hessian.width(), height = hessian.height();
+			final int x = at % width, y = at / width, reach = weights.length / 2;
+			float sum = 0;
+			for (int i = -reach; i <= reach; i++) {
+				final int u = Math.min(Math.max(x + d.columns(i), 0), width - 1);
+				final int v = Math.min(Math.max(y + d.rows(i), 0), height - 1);
+				sum += weights[i + reach] * d.across(hessian, v * width + u);
+			}
+			return sum;
 		}
 	}
 }

@@ -27,6 +27,7 @@ public final class Ridges {
 	private final int width;
 	private final float[] clean;
 	private final RidgeStrength strength;
+	private final float[] low;
 	private final RidgeSides sides;
 	private final Blobs blobs;
 
@@ -36,7 +37,7 @@ public final class Ridges {
 		this.clean = clean;
 		final Hessian hessian = Hessian.of(clean, width, appearance.filterSigma());
 		strength = RidgeStrength.of(hessian, appearance.filterSigma());
-		final float[] low = new float[clean.length];
+		low = new float[clean.length];
 		for (int at = 0; at < low.length; at++)
 			low[at] = limit(at, LOW, LOW_SHARE);
 		sides = new RidgeSides(hessian, strength, appearance.blurredSigma(), low);
@@ -186,7 +187,7 @@ public final class Ridges {
 	public boolean[] candidates() {
 		final float[] above = new float[clean.length];
 		for (int at = 0; at < above.length; at++)
-			if (strength.strength(at) > limit(at, LOW, LOW_SHARE))
+			if (strength.strength(at) > low[at])
 				above[at] = strength.strength(at);
 		final float[] strongest = LocalMaximum.of(above, width,
 			(int) Math.round(appearance.blurredSigma()));

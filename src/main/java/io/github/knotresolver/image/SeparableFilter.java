@@ -46,11 +46,12 @@ final class SeparableFilter {
 		final int radius = kernel.length / 2;
 		final float[] out = new float[in.length];
 		final float[] padded = new float[width + 2 * radius], sums = new float[width];
+		final float[] factors = floats(kernel);
+		final int[] from = new int[kernel.length];
+		Arrays.setAll(from, k -> k);
 		for (int row = 0; row < in.length; row += width) {
 			pad(in, row, width, radius, padded);
-			Arrays.fill(sums, 0);
-			for (int k = 0; k < kernel.length; k++)
-				add(padded, k, (float) kernel[k], sums);
+			sum(padded, from, factors, sums);
 			System.arraycopy(sums, 0, out, row, width);
 		}
 		return out;
@@ -60,12 +61,12 @@ final class SeparableFilter {
 	static float[] columns(final float[] in, final int width, final double[] kernel) {
 		final int radius = kernel.length / 2, height = in.length / width;
 		final float[] out = new float[in.length];
-		final float[] sums = new float[width];
+		final float[] sums = new float[width], factors = floats(kernel);
+		final int[] from = new int[kernel.length];
 		for (int y = 0; y < height; y++) {
-			Arrays.fill(sums, 0);
-			for (int k = 0; k < kernel.length; k++)
-				add(in, Math.min(Math.max(y + k - radius, 0), height - 1) * width,
-					(float) kernel[k], sums);
+			for (int k = 0; k < from.length; k++)
+				from[k] = Math.min(Math.max(y + k - radius, 0), height - 1) * width;
+			sum(in, from, factors, sums);
 			System.arraycopy(sums, 0, out, y * width, width);
 		}
 		return out;
@@ -79,8 +80,43 @@ final class SeparableFilter {
 		Arrays.fill(padded, radius + width, padded.length, in[row + width - 1]);
 	}
 
-	/** Adds a part of a row, times a factor, to sums. */
-	static void add(final float[] in, final int from, final float factor, final float[] sums) {
+	static float[] floats(final double[] values) {
+		final float[] floats = new float[values.length];
+		for (int i = 0; i < floats.length; i++)
+			floats[i] = (float) values[i];
+		return floats;
+	}
+
+	/**
+	 * Weighted sums of parts of an array, added in the order given; four parts at a time, so
+	 * that sums are seldom stored.
+	 *
+	 * @param in values
+	 * @param from where each part begins
+	 * @param factors one for each part
+	 * @param sums the result, as long as a part
+	 */
+	static void sum(final float[] in, final int[] from, final float[] factors,
+		final float[] sums) {
+		Arrays.fill(sums, 0);
+		int k = 0;
+		for (; k + 4 <= from.length; k += 4)
+			addFour(in, from, factors, k, sums);
+		for (; k < from.length; k++)
+			add(in, from[k], factors[k], sums);
+	}
+
+	private static void addFour(final float[] in, final int[] from, final float[] factors,
+		final int first, final float[] sums) {
+		final int a = from[first], b = from[first + 1], c = from[first + 2], d = from[first + 3];
+		final float fa = factors[first], fb = factors[first + 1], fc = factors[first + 2],
+			fd = factors[first + 3];
+		for (int x = 0; x < sums.length; x++)
+			sums[x] = sums[x] + fa * in[a + x] + fb * in[b + x] + fc * in[c + x] + fd * in[d + x];
+	}
+
+	private static void add(final float[] in, final int from, final float factor,
+		final float[] sums) {
 		for (int x = 0; x < sums.length; x++)
 			sums[x] += factor * in[from + x];
 	}

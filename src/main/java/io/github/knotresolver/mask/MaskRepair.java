@@ -24,15 +24,49 @@ public final class MaskRepair {
 	 */
 	public static Img<BitType> fillPinHoles(final RandomAccessibleInterval<BitType> mask,
 		final int pixels) {
-		final boolean[] background = Pixels.bits(mask);
-		for (int at = 0; at < background.length; at++)
-			background[at] = !background[at];
-		final int width = Pixels.width(mask);
-		final boolean[] kept = ConnectedComponents.label(background, width, false)
-			.bits(hole -> hole.touchesBorder() || hole.pixels() > pixels);
-		for (int at = 0; at < kept.length; at++)
-			kept[at] = !kept[at];
-		return Pixels.mask(kept, width);
+		final boolean[] filled = Pixels.bits(mask);
+		fillPinHoles(filled, Pixels.width(mask), pixels);
+		return Pixels.mask(filled, Pixels.width(mask));
+	}
+
+	/** A hole's first pixel has the mask at its left, so only there is looked; as far as a pin hole can reach. */
+	static void fillPinHoles(final boolean[] mask, final int width, final int pixels) {
+		final boolean[] original = mask.clone();
+		final int[] hole = new int[pixels + 1];
+		for (int at = 1; at < original.length; at++)
+			if (original[at - 1] && !original[at] && !mask[at]) {
+				final int size = hole(original, width, at, hole);
+				for (int i = 0; i < size; i++)
+					mask[hole[i]] = true;
+			}
+	}
+
+	/** @return number of pixels of the hole at a place; 0 if it is larger than the array, or open to the border */
+	private static int hole(final boolean[] mask, final int width, final int start,
+		final int[] hole) {
+		final int height = mask.length / width;
+		int count = 0;
+		hole[count++] = start;
+		for (int i = 0; i < count; i++) {
+			final int x = hole[i] % width, y = hole[i] / width;
+			if (count == hole.length || x == 0 || y == 0 || x == width - 1 || y == height - 1)
+				return 0;
+			for (final int beside : new int[]{hole[i] - width, hole[i] - 1, hole[i] + 1,
+				hole[i] + width})
+				if (!mask[beside] && !contains(hole, count, beside)) {
+					if (count == hole.length)
+						return 0;
+					hole[count++] = beside;
+				}
+		}
+		return count == hole.length ? 0 : count;
+	}
+
+	private static boolean contains(final int[] places, final int count, final int place) {
+		for (int i = 0; i < count; i++)
+			if (places[i] == place)
+				return true;
+		return false;
 	}
 
 	/**
