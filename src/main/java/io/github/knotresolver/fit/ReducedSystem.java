@@ -1,10 +1,6 @@
 
 package io.github.knotresolver.fit;
 
-import org.apache.commons.math3.linear.Array2DRowRealMatrix;
-import org.apache.commons.math3.linear.ArrayRealVector;
-import org.apache.commons.math3.linear.CholeskyDecomposition;
-import org.apache.commons.math3.linear.NonPositiveDefiniteMatrixException;
 
 /**
  * The dense system, for pixels that couple any nodes. As every node behind a link moves
@@ -166,11 +162,6 @@ final class ReducedSystem implements StepSystem {
 			damped[i] = matrix[i].clone();
 			damped[i][i] += damping * (damped[i][i] + LEAST_DAMPED);
 		}
-		try {
-			return new CholeskyDecomposition(new Array2DRowRealMatrix(damped, false), 1e-6, 1e-14)
-				.getSolver().solve(new ArrayRealVector(vector, false)).toArray();
-		} catch (final NonPositiveDefiniteMatrixException e) {
-			return null;
-		}
+		return Cholesky.solve(damped, vector);
 	}
 }

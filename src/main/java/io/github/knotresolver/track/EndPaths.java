@@ -125,6 +125,7 @@ final class EndPaths {
 				before[e] += ends.get(e).vote;
 			}
 			for (int e = n - 1; e >= 0; e--) {
+				progress.checkCancelled();
 				next[e] = -1;
 				for (int f = e + 1; f < Math.min(n, e + MEMORY); f++) {
 					final double then = after[f] + ends.get(f).vote - price(e, f);

@@ -1,11 +1,17 @@
 
 package io.github.knotresolver.fit;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
 
 import java.util.Random;
 
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.CholeskyDecomposition;
+import org.apache.commons.math3.linear.RealMatrix;
 import org.junit.jupiter.api.Test;
 
 class ReducedSystemTest {
@@ -28,6 +34,25 @@ class ReducedSystemTest {
 					assertEquals(system.matrix[i][j], system.matrix[j][i], "seed " + seed);
 			assertNotNull(system.solve(1e-3), "seed " + seed);
 		}
+	}
+
+	/** To the bit what commons-math finds, which cannot be cancelled. */
+	@Test
+	void choleskyIsThatOfTheLibrary() {
+		for (int seed = 0; seed < 50; seed++) {
+			final Random random = new Random(seed);
+			final int n = 1 + random.nextInt(40);
+			final RealMatrix factor = new Array2DRowRealMatrix(n, n);
+			for (int i = 0; i < n; i++)
+				for (int j = 0; j < n; j++)
+					factor.setEntry(i, j, random.nextGaussian());
+			final double[][] a = factor.multiply(factor.transpose()).getData();
+			final double[] b = random.doubles(n).toArray();
+			final double[] expected = new CholeskyDecomposition(new Array2DRowRealMatrix(a, true),
+				1e-6, 1e-14).getSolver().solve(new ArrayRealVector(b)).toArray();
+			assertArrayEquals(expected, Cholesky.solve(a, b), "seed " + seed);
+		}
+		assertNull(Cholesky.solve(new double[][]{{1, 2}, {2, 1}}, new double[]{1, 1}));
 	}
 
 	/** Random pixels, and one that makes columns and rows independent as a whole. */
