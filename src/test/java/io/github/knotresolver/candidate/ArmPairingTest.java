@@ -4,6 +4,7 @@ package io.github.knotresolver.candidate;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 
@@ -66,6 +67,48 @@ class ArmPairingTest {
 	void strandsGoStraightOnThroughACrossing() {
 		final List<Arm> arms = List.of(arm(0, 0), arm(1, 1), arm(Math.PI, 2), arm(1 + Math.PI, 3));
 		assertArrayEquals(new int[]{2, 3, 0, 1}, ArmPairing.pair(arms));
+	}
+
+	private static Arm at(final double x, final double y, final double outX, final double outY,
+		final int segment) {
+		return new Arm(new Point(x, y), new Point(outX, outY), segment);
+	}
+
+	@Test
+	void priceIsTheTurnAndBeyondOnePlaceTheWayBetween() {
+		final double eps = 1e-12;
+		// In one place: straight on, a right angle, and back.
+		assertEquals(0, ArmPairing.price(at(1, 2, 1, 0, 0), at(3, 2, -1, 0, 1)), eps);
+		assertEquals(1, ArmPairing.price(at(1, 2, 1, 0, 0), at(3, 2, 0, 1, 1)), eps);
+		assertEquals(2, ArmPairing.price(at(1, 2, 1, 0, 0), at(3, 2, 1, 0, 1)), eps);
+		assertEquals(1 - 0.6 * 0.8 - 0.8 * 0.6,
+			ArmPairing.price(at(1, 2, 0.6, 0.8, 0), at(3, 2, -0.8, -0.6, 1)), eps);
+		// Apart: half of it, and half of how far both look past each other.
+		assertEquals(0, ArmPairing.price(at(1, 2, 1, 0, 0), at(11, 2, -1, 0, 1)), eps);
+		assertEquals(1, ArmPairing.price(at(1, 2, 1, 0, 0), at(1, 12, -1, 0, 1)), eps);
+		assertEquals(0.5 * 1 + 0.5 * (0.4 + 1.8),
+			ArmPairing.price(at(1, 2, 0.6, 0.8, 0), at(11, 2, 0.8, -0.6, 1)), eps);
+		assertEquals(0.5 * 1 + 0.5 * (0.2 + 0.4),
+			ArmPairing.price(at(1, 2, 0.6, 0.8, 0), at(1, 12, 0.8, -0.6, 1)), eps);
+	}
+
+	@Test
+	void bothEndsOfASegmentHardlyBelongTogetherWhereTheyAreNear() {
+		assertEquals(CandidateTuning.OWN_END,
+			ArmPairing.price(at(1, 2, 1, 0, 7), at(3, 2, -1, 0, 7)), 1e-12);
+		assertEquals(CandidateTuning.OWN_END,
+			ArmPairing.price(at(1, 2, 1, 0, 7), at(8.9, 2, -1, 0, 7)), 1e-12);
+		assertEquals(0, ArmPairing.price(at(1, 2, 1, 0, 7), at(9, 2, -1, 0, 7)), 1e-12);
+	}
+
+	/** More arms than can be tried are left alone, all of them. */
+	@Test
+	void tooManyArmsAreNotPaired() {
+		final int most = CandidateTuning.MOST_ARMS;
+		assertEquals(1, ArmPairing.pair(new double[most][most])[0]);
+		final int[] alone = new int[most + 1];
+		Arrays.fill(alone, -1);
+		assertArrayEquals(alone, ArmPairing.pair(new double[most + 1][most + 1]));
 	}
 
 	@Test
