@@ -1,5 +1,6 @@
 package io.github.knotresolver.command;
 
+import java.awt.GraphicsEnvironment;
 import java.io.File;
 import java.io.IOException;
 import java.util.List;
@@ -7,12 +8,16 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 
+import javax.swing.SwingUtilities;
+
 import org.scijava.command.Command;
 import org.scijava.plugin.Attr;
 import org.scijava.plugin.Parameter;
 import org.scijava.plugin.Plugin;
 import org.scijava.widget.FileWidget;
 
+import ij.IJ;
+import ij.macro.Interpreter;
 import io.github.knotresolver.imagej.Batch;
 import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.imagej.form.MacroOptions;
@@ -25,6 +30,8 @@ import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.ui.BatchWindow;
+import io.github.knotresolver.ui.model.BatchTable;
 
 /**
  * {@code Batch...}: many movies, as many at a time as threads and memory allow, each into its own
@@ -76,6 +83,10 @@ public class BatchCommand extends KnotCommand {
 		final List<BatchOutcome> outcomes = new Batch(engine, texts, force, plots, most)
 			.run(sheet.rows(), out.toPath(), List.of(input.toPath()), o -> say(o.line()), progress);
 		final long failed = outcomes.stream().filter(o -> o.status() == Status.FAILED).count();
+		if (!GraphicsEnvironment.isHeadless() && !Interpreter.isBatchMode() && !IJ.isMacro()) {
+			final BatchTable table = new BatchTable(out.toPath(), outcomes);
+			SwingUtilities.invokeLater(() -> BatchWindow.open(out.toPath(), table));
+		}
 		say((outcomes.size() - failed) + " of " + outcomes.size() + " movies have a result. List: "
 			+ new File(out, BatchList.FILE) + ", page: " + new File(out, BatchList.PAGE));
 	}

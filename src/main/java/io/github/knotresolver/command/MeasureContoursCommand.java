@@ -6,6 +6,10 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+
+import javax.swing.SwingUtilities;
 
 import org.scijava.command.Command;
 import org.scijava.plugin.Attr;
@@ -13,11 +17,14 @@ import org.scijava.plugin.Parameter;
 import org.scijava.plugin.Plugin;
 import org.scijava.widget.FileWidget;
 
+import ij.IJ;
+import ij.ImagePlus;
 import ij.WindowManager;
+import ij.macro.Interpreter;
 import ij.plugin.frame.RoiManager;
 import io.github.knotresolver.imagej.RoiContours;
 import io.github.knotresolver.imagej.form.Form;
-import io.github.knotresolver.imagej.plot.LivePlots;
+import io.github.knotresolver.imagej.plot.LiveFigure;
 import io.github.knotresolver.imagej.plot.MeasurementFolder;
 import io.github.knotresolver.io.ContourInput;
 import io.github.knotresolver.io.ContoursCsv;
@@ -25,9 +32,10 @@ import io.github.knotresolver.io.FilamentMeasurements;
 import io.github.knotresolver.io.MeasureOptions;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
-import io.github.knotresolver.measure.MovieMeasurements;
-import io.github.knotresolver.measure.Quantity;
+import io.github.knotresolver.io.RunIdentity;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.ui.MeasureWindow;
+import io.github.knotresolver.ui.ShownFrame;
 
 /**
  * {@code Measure Contours...}: lengths, angles, curvature, oscillations and
@@ -92,7 +100,7 @@ public class MeasureContoursCommand extends KnotCommand {
 			}
 		progress.checkCancelled();
 		if (show && !GraphicsEnvironment.isHeadless())
-			all.forEach(f -> show(f.measurements()));
+			show(all);
 		MeasurementFolder.report(all).forEach(this::say);
 	}
 
@@ -118,14 +126,34 @@ public class MeasureContoursCommand extends KnotCommand {
 		return RoiContours.read(manager, WindowManager.getCurrentImage());
 	}
 
-	private static void show(final MovieMeasurements m) {
-		LivePlots.table(m).show(m.name() + "-measurements");
-		LivePlots.contours(m).show();
-		LivePlots.series(m, Quantity.END_TO_END).show();
-		LivePlots.series(m, Quantity.LENGTH).show();
-		LivePlots.series(m, Quantity.TIP_ANGLE).show();
-		m.spectra().stream().filter(q -> m.dominantFrequency(q).isPresent())
-			.forEach(q -> LivePlots.spectrum(m, q).show());
-		LivePlots.showKymographs(m);
+	/** One window for a person; a macro finds the tables, and in batch mode hidden plots. */
+	private void show(final List<FilamentMeasurements> all) {
+		final List<MeasureWindow.Item> items = all.stream()
+			.map(f -> new MeasureWindow.Item(f.filament(), f.measurements())).toList();
+		final Supplier<Optional<ImagePlus>> image = image();
+		if (Interpreter.isBatchMode() || IJ.isMacro())
+			items.forEach(i -> MeasureWindow.showTable(i, image));
+		if (Interpreter.isBatchMode())
+			items.forEach(
+				i -> LiveFigure.of(i.measurements()).forEach(LiveFigure::showInImageJ));
+		else
+			SwingUtilities.invokeLater(() -> MeasureWindow.open(name(), items, image));
+	}
+
+	private String name() {
+		if (result != null)
+			return result.getName();
+		final ImagePlus current = WindowManager.getCurrentImage();
+		return current == null ? "contours" : current.getTitle();
+	}
+
+	/** The movie of a result folder, if it is open; of the ROI Manager, the active image. */
+	private Supplier<Optional<ImagePlus>> image() {
+		final ImagePlus current = WindowManager.getCurrentImage();
+		final int id = current == null ? 0 : current.getID();
+		if (result == null)
+			return () -> Optional.ofNullable(id == 0 ? null : WindowManager.getImage(id));
+		final Optional<Path> movie = RunIdentity.read(result.toPath()).map(RunIdentity::movie);
+		return () -> movie.flatMap(ShownFrame::image);
 	}
 }

@@ -3,6 +3,7 @@ package io.github.knotresolver.command;
 import java.awt.GraphicsEnvironment;
 import java.io.File;
 import java.io.IOException;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -45,6 +46,7 @@ import io.github.knotresolver.run.ResolveRun;
 import io.github.knotresolver.run.ResultSink;
 import io.github.knotresolver.ui.KeptSession;
 import io.github.knotresolver.ui.LiveResult;
+import io.github.knotresolver.ui.TableClicks;
 
 /**
  * {@code Resolve Filament...}: finds one ordered contour per frame in a movie
@@ -280,6 +282,12 @@ public class ResolveFilamentCommand extends KnotCommand {
 			display.fill(manager());
 		if (tables && !new ContourTables(input.getTitle(), result).show())
 			say("The Results table holds rows of others, so the frames were not put there; run(\"Clear Results\") before.");
+		// Tables stay open when the image is closed, and must not keep it.
+		final int id = input.getID();
+		if (tables && visible)
+			for (final String table : List.of("-contours", "-frames"))
+				TableClicks.lead(input.getTitle() + table,
+					() -> Optional.ofNullable(WindowManager.getImage(id)), 1);
 	}
 
 	/** That of a macro in batch mode stays hidden. */

@@ -3,12 +3,14 @@ package io.github.knotresolver.imagej;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 
 import ij.ImagePlus;
 import ij.gui.Overlay;
 import ij.gui.Roi;
 import ij.plugin.frame.RoiManager;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Tracks;
@@ -55,6 +57,41 @@ public final class ResultDisplay {
 				manager.allowRecording(true);
 			}
 		});
+	}
+
+	/**
+	 * @param manager the ROI Manager
+	 * @param image an image that was resolved
+	 * @param filament number of a filament, from 1
+	 * @param frame from 1
+	 * @return the contour that {@link #fill} put there; empty if it is not there any more
+	 */
+	public static Optional<Roi> find(final RoiManager manager, final ImagePlus image,
+		final int filament, final int frame) {
+		for (final Roi roi : manager.getRoisAsArray())
+			if (image.getTitle().equals(roi.getProperty(OF_IMAGE))
+				&& RoiContours.filament(roi) == filament && RoiContours.frame(roi, image) == frame)
+				return Optional.of(roi);
+		return Optional.empty();
+	}
+
+	/**
+	 * @param manager the ROI Manager
+	 * @param image an image that was resolved
+	 * @return its contours as they are in the manager now, where a person may have changed them
+	 */
+	public static List<Constraint> contours(final RoiManager manager, final ImagePlus image) {
+		final List<Constraint> contours = new ArrayList<>();
+		for (final Roi roi : manager.getRoisAsArray()) {
+			final String owner = roi.getProperty(OF_IMAGE);
+			final boolean ours = owner == null
+				? roi.getName() != null && roi.getName().startsWith(RoiConverter.PREFIX)
+				: owner.equals(image.getTitle());
+			if (ours && RoiContours.isLine(roi) && RoiContours.frame(roi, image) > 0)
+				contours.add(new Constraint(RoiContours.filament(roi), RoiContours.frame(roi, image),
+					Constraint.Kind.CONTOUR, RoiContours.contour(roi)));
+		}
+		return contours;
 	}
 
 	private List<Roi> rois() {

@@ -64,17 +64,17 @@ public final class RoiContours {
 	}
 
 	/** ROIs of several filaments have two numbers in their names. */
-	private static int filament(final Roi roi) {
+	static int filament(final Roi roi) {
 		final Matcher name = SEVERAL.matcher(roi.getName() == null ? "" : roi.getName());
 		return name.matches() ? Integer.parseInt(name.group(1)) : 1;
 	}
 
-	private static boolean isLine(final Roi roi) {
+	static boolean isLine(final Roi roi) {
 		return roi.getType() == Roi.POLYLINE || roi.getType() == Roi.FREELINE;
 	}
 
 	/** In an image whose slices stand for time, the frame is the slice. */
-	private static int frame(final Roi roi, final ImagePlus image) {
+	static int frame(final Roi roi, final ImagePlus image) {
 		final boolean slices = image != null && image.getNFrames() == 1;
 		final int told = slices ? roi.getZPosition() : roi.getTPosition();
 		if (told > 0 || roi.getPosition() < 1 || image == null || image.getNChannels() == 1)
@@ -93,7 +93,7 @@ public final class RoiContours {
 				+ "; delete one, the second is '" + roi.getName() + "'.");
 	}
 
-	private static Polyline contour(final Roi roi) {
+	static Polyline contour(final Roi roi) {
 		final FloatPolygon points = roi.getFloatPolygon();
 		final double[] x = new double[points.npoints], y = new double[points.npoints];
 		Arrays.setAll(x, i -> points.xpoints[i]);

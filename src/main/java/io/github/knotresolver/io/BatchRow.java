@@ -16,10 +16,12 @@ import io.github.knotresolver.options.RunOptions;
  * @param line 1-based line of the sheet
  * @param movie the movie's file, as text: not all text is a path on every system
  * @param texts the row's options by their keys, not yet checked
+ * @param byHand whether the row asks for work by hand
  * @param notes what the row asks for and this program does otherwise; one
  *          sentence each
  */
-public record BatchRow(int line, String movie, Map<String, String> texts, List<String> notes) {
+public record BatchRow(int line, String movie, Map<String, String> texts, boolean byHand,
+	List<String> notes) {
 
 	public BatchRow {
 		texts = Collections.unmodifiableMap(new TreeMap<>(texts));

@@ -73,7 +73,7 @@ public record BatchSheet(List<BatchRow> rows, List<String> unknownColumns) {
 		texts.computeIfPresent("corrections", (key, path) -> resolved(home, path));
 		final String movie = resolved(home, cells.getOrDefault(FOLDER, ""),
 			cells.getOrDefault(FILE_NAME, ""));
-		return new BatchRow(record.line(), movie, texts, notes);
+		return new BatchRow(record.line(), movie, texts, OriginalColumns.isByHand(cells), notes);
 	}
 
 	/** A name that no file can have here spoils its row, when that has its turn, not the sheet. */

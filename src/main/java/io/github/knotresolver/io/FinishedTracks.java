@@ -26,13 +26,13 @@ import io.github.knotresolver.model.UserException;
  */
 public final class FinishedTracks {
 
-	private final Table frames, filaments;
+	private final NamedTable frames, filaments;
 	private final SortedMap<Integer, SortedMap<Integer, Polyline>> contours;
 	private final double pixelSize;
 
 	private FinishedTracks(final Path folder, final double pixelSize) {
-		frames = Table.read(folder.resolve(FramesCsv.FILE));
-		filaments = Table.read(folder.resolve(FilamentsCsv.FILE));
+		frames = NamedTable.read(folder.resolve(FramesCsv.FILE));
+		filaments = NamedTable.read(folder.resolve(FilamentsCsv.FILE));
 		contours = ContoursCsv.readFilaments(folder.resolve(ContoursCsv.FILE));
 		this.pixelSize = pixelSize;
 	}
@@ -57,7 +57,7 @@ public final class FinishedTracks {
 
 	private List<FilamentTrack> tracks(final int size) {
 		final Map<Integer, Observation[]> observed = new TreeMap<>();
-		for (final CsvRow row : frames.rows) {
+		for (final CsvRow row : frames.rows()) {
 			final int filament = (int) frames.number(row, ContoursCsv.FILAMENT),
 				frame = (int) frames.number(row, "frame");
 			if (frame < 1 || frame > size)
@@ -66,7 +66,7 @@ public final class FinishedTracks {
 				- 1] = observation(row, filament, frame);
 		}
 		final List<FilamentTrack> tracks = new ArrayList<>();
-		for (final CsvRow row : filaments.rows) {
+		for (final CsvRow row : filaments.rows()) {
 			final int id = (int) filaments.number(row, ContoursCsv.FILAMENT);
 			tracks.add(new FilamentTrack(id,
 				Anchor.valueOf(filaments.text(row, "anchor").toUpperCase(Locale.ROOT)),
@@ -92,30 +92,5 @@ public final class FinishedTracks {
 			(int) frames.number(row, "junctions"), (int) frames.number(row, "candidates"),
 			frames.number(row, "cost"), frames.number(row, "confidence"),
 			Double.isNaN(visible) ? 1 : visible, List.of());
-	}
-
-	/** A table with a heading. */
-	private record Table(List<String> header, List<CsvRow> rows) {
-
-		static Table read(final Path file) {
-			final List<CsvRow> all = CsvFile.read(file);
-			if (all.isEmpty())
-				throw new IllegalArgumentException(file + " is empty");
-			return new Table(all.get(0).cells().stream().map(c -> c.toLowerCase(Locale.ROOT)).toList(),
-				all.subList(1, all.size()));
-		}
-
-		String text(final CsvRow row, final String name) {
-			final int column = header.indexOf(name);
-			if (column < 0 || column >= row.size())
-				throw new IllegalArgumentException("There is no " + name + ".");
-			return row.get(column);
-		}
-
-		/** NaN where there is none. */
-		double number(final CsvRow row, final String name) {
-			final String text = text(row, name);
-			return text.isEmpty() ? Double.NaN : Double.parseDouble(text);
-		}
 	}
 }

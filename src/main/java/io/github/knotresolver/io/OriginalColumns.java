@@ -49,6 +49,11 @@ final class OriginalColumns {
 		return texts;
 	}
 
+	/** @return whether the row asks for work by hand */
+	static boolean isByHand(final Map<String, String> cells) {
+		return MANUAL.stream().anyMatch(column -> !isNone(cells.get(column)));
+	}
+
 	private static void copy(final Map<String, String> cells, final String column,
 		final Map<String, String> texts, final String key) {
 		final String text = cells.getOrDefault(column, "");

@@ -93,7 +93,7 @@ final class ConfidenceStrip extends JComponent {
 		final double confidence = model.confidences()[frame - 1];
 		return "frame " + frame
 			+ (Double.isNaN(confidence)
-				? ": no contour"
+				? model.isLeftOut(frame) ? ": left out, or not in view" : ": no contour"
 				: String.format(Locale.ROOT, ": confidence %.2f", confidence));
 	}
 
@@ -113,7 +113,8 @@ final class ConfidenceStrip extends JComponent {
 				g.setColor(mixed(CHANGED.darker().darker(), CHANGED, bright / (double) FLASHES));
 				g.fillRect(left, 0, width, getHeight());
 			}
-			paintColumn(g, confidences[frame - 1], left, width, mark);
+			if (!model.isLeftOut(frame))
+				paintColumn(g, confidences[frame - 1], left, width, mark);
 			final int middle = left + width / 2;
 			if (doubtful.contains(frame)) {
 				g.setColor(Color.WHITE);

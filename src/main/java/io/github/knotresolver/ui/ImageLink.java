@@ -75,7 +75,7 @@ final class ImageLink implements ImageListener, MouseListener, MouseMotionListen
 		showing = true;
 		try {
 			if (frame(image) != model.frame())
-				goTo(model.frame());
+				goTo(image, channel, model.frame());
 			final Overlay overlay = model
 				.shown().flatMap(Observation::contour).map(c -> ReviewPictures
 					.overlay(model.tracks().orElseThrow(), model.track().orElseThrow(), c))
@@ -100,7 +100,8 @@ final class ImageLink implements ImageListener, MouseListener, MouseMotionListen
 			: isAlongZ(image) ? image.getZ() : image.getT();
 	}
 
-	private void goTo(final int frame) {
+	/** Shows a frame, wherever the image's time runs, and a channel if there are several. */
+	static void goTo(final ImagePlus image, final int channel, final int frame) {
 		if (image.getNChannels() == 1)
 			image.setSlice(frame);
 		else if (ImageMovie.isAlongChannels(image))

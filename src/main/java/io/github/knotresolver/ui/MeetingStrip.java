@@ -54,7 +54,7 @@ final class MeetingStrip extends JComponent {
 	}
 
 	private int rowHeight() {
-		return getFontMetrics(getFont()).getHeight() * 2 / 3;
+		return getFontMetrics(getFont()).getHeight();
 	}
 
 	@Override
@@ -99,12 +99,12 @@ final class MeetingStrip extends JComponent {
 	}
 
 	private void paintName(final Graphics g, final String name, final int top, final int height) {
-		g.setFont(getFont().deriveFont(height * 0.8f));
+		g.setFont(getFont().deriveFont(height * 0.7f));
 		final int width = g.getFontMetrics().stringWidth("x " + name);
 		g.setColor(new Color(0, 0, 0, 170));
 		g.fillRect(0, top + 1, width + 6, height - 1);
 		g.setColor(Color.WHITE);
-		g.drawString("x " + name, 3, top + height - 3);
+		g.drawString("x " + name, 3, top + height - 4);
 	}
 
 	private int left(final int frame) {

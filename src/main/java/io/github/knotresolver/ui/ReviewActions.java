@@ -17,8 +17,10 @@ import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
 
 import ij.ImagePlus;
+import ij.plugin.frame.RoiManager;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.imagej.ResultDisplay;
 import io.github.knotresolver.imagej.RoiConverter;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Tracks;
@@ -64,6 +66,9 @@ final class ReviewActions {
 		correct.add("Swap with...", "O",
 			"From this frame on, this filament is another one, and that one is this",
 			() -> exchange(correct.panel));
+		correct.add("From ROI Manager", "M",
+			"Take over contours that you changed in the ROI Manager (drag a polyline, Update)",
+			this::takeOver);
 		correct.add("Withdraw", "W", "Forget all that was said about this frame", model::withdraw);
 		go.add("Previous doubtful", "P", "The more doubtful frame before", model::previousDoubtful);
 		go.add("Next doubtful", "N", "The least certain frame, then the others",
@@ -120,6 +125,17 @@ final class ReviewActions {
 		final Optional<Polyline> line = RoiConverter.line(image.getRoi());
 		line.ifPresentOrElse(model::contour, () -> say.accept(
 			"Draw the contour with one of ImageJ's line tools first, from the fixed end to the tip."));
+	}
+
+	private void takeOver() {
+		final RoiManager manager = RoiManager.getInstance2();
+		final int taken = manager == null
+			? 0
+			: model.takeOver(ResultDisplay.contours(manager, image));
+		say.accept(taken == 0
+			? "No contour in the ROI Manager is otherwise than here; drag one, and press Update there."
+			: taken + (taken == 1 ? " contour is" : " contours are")
+				+ " taken over from the ROI Manager.");
 	}
 
 	private static void key(final JRootPane root, final String key, final Runnable action) {

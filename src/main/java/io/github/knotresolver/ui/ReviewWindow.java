@@ -110,6 +110,21 @@ public final class ReviewWindow {
 		return open != null;
 	}
 
+	/**
+	 * @param image an image
+	 * @param filament number of a filament
+	 * @param frame from 1
+	 * @return whether its review is open; it has gone there then
+	 */
+	static boolean goTo(final ImagePlus image, final int filament, final int frame) {
+		final ReviewWindow open = OPEN.get(image);
+		if (open != null) {
+			open.model.choose(filament);
+			open.model.goTo(frame);
+		}
+		return open != null;
+	}
+
 	private void build() {
 		frame.setEditable(false);
 		frame.setFocusable(false);

@@ -6,10 +6,8 @@ import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.stream.IntStream;
 
 import ij.ImagePlus;
-import ij.WindowManager;
 import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageView;
 import io.github.knotresolver.model.UserException;
@@ -82,12 +80,7 @@ public final class Reviews {
 	}
 
 	private static ImagePlus image(final ReviewedResult result, final Progress progress) {
-		final int[] ids = WindowManager.getIDList();
-		final Optional<ImagePlus> present = ids == null
-			? Optional.empty()
-			: IntStream.of(ids).mapToObj(WindowManager::getImage)
-				.filter(i -> i != null && i.getWindow() != null && i.getCanvas() != null)
-				.filter(i -> ImageFile.of(i).equals(result.file())).findFirst();
+		final Optional<ImagePlus> present = result.file().flatMap(ShownFrame::image);
 		if (present.isPresent())
 			return present.get();
 		final ImagePlus image = ImageFile.open(result.file().orElseThrow(), progress);

@@ -19,6 +19,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.CopyOnWriteArraySet;
@@ -479,8 +480,14 @@ final class DialogsMain {
 		finished();
 		Windows.start("Measure Contours...");
 		Windows.press(Windows.dialog("Measure Contours..."), "OK");
-		Windows.await("table", () -> tables().contains("measured-measurements"));
-		Windows.await("pictures", () -> WindowManager.getImageCount() >= 5);
+		Windows.await("window", () -> measurements().isPresent());
+		require(WindowManager.getImageCount() == 1, "There are more windows than one.");
+		measurements().orElseThrow().dispose();
+	}
+
+	private static Optional<Frame> measurements() {
+		return Arrays.stream(Frame.getFrames())
+			.filter(f -> f.isShowing() && f.getTitle().equals("Measurements of measured")).findAny();
 	}
 
 	/** Starts, fills in the frames, and presses OK. */

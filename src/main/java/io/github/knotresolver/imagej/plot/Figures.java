@@ -24,7 +24,8 @@ import io.github.knotresolver.progress.Progress;
 public final class Figures {
 
 	/** In a column of 85 mm letters of 14 points are then letters of 7.5. */
-	private static final int WIDTH = 450, HEIGHT = 300, SQUARE_WIDTH = 440, SQUARE_HEIGHT = 380;
+	static final int WIDTH = 450, HEIGHT = 300;
+	private static final int SQUARE_WIDTH = 440, SQUARE_HEIGHT = 380;
 	/** PNG pixels for each point of a chart: 1800 pixels for a page's width. */
 	private static final int PNG_SCALE = 4;
 	private static final String CONTOURS = "contours", TANGENT_ANGLE = "tangent_angle_kymograph",
@@ -143,7 +144,7 @@ public final class Figures {
 		Files.write(file, new FileSaver(image).serialize());
 	}
 
-	private static byte[] png(final JFreeChart chart, final int width, final int height)
+	static byte[] png(final JFreeChart chart, final int width, final int height)
 		throws IOException {
 		final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
 		ChartUtils.writeScaledChartAsPNG(bytes, chart, width, height, PNG_SCALE, PNG_SCALE);

@@ -120,14 +120,4 @@ public final class LivePlots {
 		}
 		return table;
 	}
-
-	/**
-	 * Shows the kymographs of tangent angle and curvature, zoomed to a useful size.
-	 *
-	 * @param m the measurements
-	 */
-	public static void showKymographs(final MovieMeasurements m) {
-		KymographImage.show(Figures.tangentAngleImage(m));
-		KymographImage.show(Figures.curvatureImage(m));
-	}
 }

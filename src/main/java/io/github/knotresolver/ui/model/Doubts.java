@@ -3,6 +3,7 @@ package io.github.knotresolver.ui.model;
 import java.util.Comparator;
 import java.util.List;
 
+import io.github.knotresolver.io.ResultCounts;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
@@ -10,9 +11,6 @@ import io.github.knotresolver.model.Tracks;
 
 /** Where a person should look: frames whose contour may be wrong, or is missing. */
 final class Doubts {
-
-	/** From this confidence on, nine of ten contours are right, and a person need not look. */
-	static final double SURE = 0.9;
 
 	private Doubts() {
 	}
@@ -37,7 +35,7 @@ final class Doubts {
 
 	private static boolean isDoubtful(final Observation o) {
 		return switch (o.status()) {
-			case RESOLVED -> !(o.confidence() >= SURE);
+			case RESOLVED -> !(o.confidence() >= ResultCounts.SURE);
 			case UNRESOLVED, LOST -> true;
 			case CORRECTED, ABSENT, IGNORED -> false;
 		};

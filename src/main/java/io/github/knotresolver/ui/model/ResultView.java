@@ -12,6 +12,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import io.github.knotresolver.model.Alternative;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Tracks;
@@ -108,6 +109,16 @@ abstract class ResultView {
 		Arrays.setAll(all,
 			t -> track().map(f -> f.frames().get(t).confidence()).orElse(Double.NaN));
 		return all;
+	}
+
+	/**
+	 * @param wanted a frame, from 1
+	 * @return whether the filament need not have a contour there: it is not in view, or the frame is
+	 *         left out
+	 */
+	public synchronized boolean isLeftOut(final int wanted) {
+		return track().map(t -> t.frames().get(wanted - 1).status())
+			.filter(s -> s == FrameStatus.ABSENT || s == FrameStatus.IGNORED).isPresent();
 	}
 
 	/** @return the frames to look at, the least certain first; without those that were accepted */

@@ -124,6 +124,26 @@ public final class ReviewModel extends ResultView implements AutoCloseable {
 		say(w -> new Constraint(filament(), frame(), Kind.CONTOUR, contour));
 	}
 
+	/**
+	 * Contours that may have been changed elsewhere, such as in the ROI Manager; all that are not as
+	 * they are shown are said at once.
+	 *
+	 * @param contours whole contours, in pixels
+	 * @return how many are otherwise
+	 */
+	public int takeOver(final List<Constraint> contours) {
+		final List<Constraint> other = tracks()
+			.map(t -> contours.stream().filter(c -> Changes.isOther(t, c)).toList())
+			.orElse(List.of());
+		edit(e -> {
+			Edits next = e;
+			for (final Constraint c : other)
+				next = next.with(c);
+			return next;
+		});
+		return other.size();
+	}
+
 	/** The contour that is shown is wrong; nothing if there is none. */
 	public void refuse() {
 		shown().flatMap(Observation::contour)

@@ -24,6 +24,9 @@ import javax.xml.parsers.ParserConfigurationException;
 
 import org.jfree.chart.JFreeChart;
 import org.junit.jupiter.api.BeforeAll;
+import java.awt.geom.Point2D;
+import java.util.OptionalInt;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -179,6 +182,25 @@ class FiguresTest {
 		assertTrue(Double.isNaN(table.getValue("tip_angle [rad]", MISSING)));
 		assertTrue(table.columnExists("bending_energy_se [1/µm]"));
 		assertFalse(table.columnExists("crossings_se"));
+	}
+
+	@Test
+	void aPlaceInAFigureLeadsToItsFrame() {
+		final MovieMeasurements m = movie(10);
+		final BufferedImage paper = new BufferedImage(600, 400, BufferedImage.TYPE_INT_RGB);
+		for (final LiveFigure figure : LiveFigure.of(m)) {
+			assertEquals(OptionalInt.empty(), figure.frameAt(new Point2D.Double(300, 150)));
+			figure.draw(paper.createGraphics(), 600, 400, 3);
+			final List<Integer> frames = IntStream.range(0, 600)
+				.mapToObj(x -> figure.frameAt(new Point2D.Double(x, 150)))
+				.filter(OptionalInt::isPresent).map(OptionalInt::getAsInt).distinct().toList();
+			if (figure.key().endsWith("_spectrum"))
+				assertEquals(List.of(), frames, figure.key());
+			else if (!figure.key().equals("contours"))
+				assertEquals(IntStream.rangeClosed(1, 10).boxed().toList(), frames, figure.key());
+			else
+				assertFalse(frames.isEmpty() || frames.contains(MISSING + 1), frames.toString());
+		}
 	}
 
 	@Test

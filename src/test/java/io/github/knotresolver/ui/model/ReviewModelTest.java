@@ -249,6 +249,23 @@ class ReviewModelTest {
 	}
 
 	@Test
+	void contoursThatWereChangedElsewhereAreTakenOverInOneStep() throws InterruptedException {
+		try (ReviewModel model = model((said, progress) -> two(said))) {
+			final List<Constraint> shown = List.of(
+				new Constraint(1, 2, Kind.CONTOUR, Polyline.of(List.of(new Point(1.004, 3), new Point(30, 3)))),
+				new Constraint(1, 3, Kind.CONTOUR, line(4)), new Constraint(2, 5, Kind.CONTOUR, line(19)),
+				new Constraint(9, 5, Kind.CONTOUR, line(19)));
+			assertEquals(2, model.takeOver(shown));
+			assertEquals(4, row(model, 1, 3));
+			assertEquals(19, row(model, 2, 5));
+			assertEquals(shown.subList(1, 3), model.said());
+			assertEquals(0, model.takeOver(shown));
+			model.undo();
+			assertEquals(List.of(), model.said());
+		}
+	}
+
+	@Test
 	void aLiveResultIsNotSolvedAgainAndAReadOneIsSeenMeanwhile() throws Exception {
 		final CountDownLatch asked = new CountDownLatch(1), go = new CountDownLatch(1);
 		try (ReviewModel live = ReviewModel.live(answer(List.of()), (said, p) -> {
