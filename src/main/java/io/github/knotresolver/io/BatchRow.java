@@ -28,6 +28,12 @@ public record BatchRow(int line, String movie, Map<String, String> texts, boolea
 		notes = List.copyOf(notes);
 	}
 
+	/** A row that asks for nothing by hand. */
+	public BatchRow(final int line, final String movie, final Map<String, String> texts,
+		final List<String> notes) {
+		this(line, movie, texts, false, notes);
+	}
+
 	/**
 	 * @return the movie's file
 	 * @throws UserException if no file can have that name here, in one

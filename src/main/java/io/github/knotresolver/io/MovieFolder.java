@@ -38,7 +38,7 @@ public final class MovieFolder {
 			return BatchSheet.read(input);
 		final List<BatchRow> rows = new ArrayList<>();
 		for (final Path movie : movies(input))
-			rows.add(new BatchRow(rows.size() + 1, movie.toString(), Map.of(), false, List.of()));
+			rows.add(new BatchRow(rows.size() + 1, movie.toString(), Map.of(), List.of()));
 		if (rows.isEmpty())
 			throw new UserException(
 				"The folder " + input + " has no movie (" + String.join(", ", ENDINGS)
