@@ -1,7 +1,11 @@
 package io.github.knotresolver.fuzz;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -146,7 +150,16 @@ public final class Drawings {
 				.replaceAll("[^\\x20-\\x7E\\n]", "?")
 			+ "', " + bytes.length + " bytes, in Base64 "
 			+ (bytes.length > 3000
-				? "too long"
+				? "too long, but kept as " + kept(bytes)
 				: java.util.Base64.getEncoder().encodeToString(bytes));
+	}
+
+	/** A file that outlives the test, so that a failure can be repeated. */
+	private static Path kept(final byte[] bytes) {
+		try {
+			return Files.write(Files.createTempFile("knotresolver-fuzz-", ".tif"), bytes);
+		} catch (final IOException e) {
+			throw new UncheckedIOException(e);
+		}
 	}
 }

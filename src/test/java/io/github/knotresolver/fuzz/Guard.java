@@ -111,11 +111,11 @@ public final class Guard {
 				final long used = clock.getAsLong() - start;
 				if (used > 2 * LONGEST || waited > LONGEST_WAIT) {
 					running.cancel(true);
-					throw endless(input);
+					throw endless(" without end\n  for " + input.get());
 				}
 				if (!late && used > LONGEST) {
 					late = true;
-					report(input, endless(input));
+					report(input, endless(" of more than 5 s"));
 					cancel.run();
 				}
 			} catch (final InterruptedException e) {
@@ -124,9 +124,8 @@ public final class Guard {
 	}
 
 	/** Where the work is that takes so long. */
-	private AssertionError endless(final Supplier<String> input) {
-		final AssertionError endless = new AssertionError(
-			name + ": work without end\n  for " + input.get());
+	private AssertionError endless(final String what) {
+		final AssertionError endless = new AssertionError(name + ": work" + what);
 		endless.setStackTrace(thread.getStackTrace());
 		return endless;
 	}
