@@ -22,6 +22,7 @@ import com.google.gson.JsonParseException;
 import com.google.gson.JsonParser;
 
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.OptionText;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
 
@@ -55,6 +56,7 @@ public record RunIdentity(Path movie, String sha256, String version, Map<String,
 	 * @param texts the options that were given, by key
 	 * @param progress may cancel
 	 * @return what a result of them is made from
+	 * @throws UserException if the name of the corrections cannot be that of a file
 	 * @throws IOException if the files cannot be read
 	 */
 	public static RunIdentity of(final Path movie, final Map<String, String> texts,
@@ -65,7 +67,9 @@ public record RunIdentity(Path movie, String sha256, String version, Map<String,
 		final String corrections = given.remove(CORRECTIONS_KEY);
 		return new RunIdentity(movie.toAbsolutePath().normalize(), sha256(movie, progress),
 			ProgramVersion.get(), given,
-			corrections == null ? "" : sha256(Path.of(corrections), progress));
+			corrections == null
+				? ""
+				: sha256(OptionText.path(CORRECTIONS_KEY, corrections), progress));
 	}
 
 	/**
@@ -84,12 +88,13 @@ public record RunIdentity(Path movie, String sha256, String version, Map<String,
 	 * @param movie the movie's file; empty if it has none
 	 * @param texts the options that were given, by key
 	 * @return all files that are read
+	 * @throws UserException if the name of one cannot be that of a file
 	 */
 	public static List<Path> files(final Optional<Path> movie, final Map<String, String> texts) {
 		final List<Path> files = new ArrayList<>(movie.stream().toList());
 		final String corrections = texts.get(CORRECTIONS_KEY);
 		if (corrections != null && !corrections.isBlank())
-			files.add(Path.of(corrections));
+			files.add(OptionText.path(CORRECTIONS_KEY, corrections));
 		return files;
 	}
 

@@ -101,6 +101,14 @@ class BatchSubcommandTest {
 		assertEquals(0, resolved.get());
 	}
 
+	@Test
+	void oddNameOfCorrectionsSpoilsItsRowOnly() throws IOException {
+		assertEquals(1, run(sheet("FileName,FolderPath,corrections", "a.tif,in,x\0y", "b.tif,in,")));
+		assertEquals(List.of("", "b"), results());
+		assertTrue(stderr.toString().contains("corrections must be the name of a file, but is"),
+			stderr.toString());
+	}
+
 	/** A row that hits a bug says so and names the log; the others go on. */
 	@Test
 	void bugInOneRowLeavesASentenceAndTheRestGoesOn() throws IOException {
