@@ -13,10 +13,10 @@ import ij.plugin.PlugIn;
 import ij.plugin.frame.Recorder;
 import io.github.knotresolver.imagej.form.FieldKind;
 import io.github.knotresolver.imagej.form.Form;
-import io.github.knotresolver.imagej.form.FormDialog;
 import io.github.knotresolver.imagej.form.FormField;
 import io.github.knotresolver.imagej.form.MacroOptions;
 import io.github.knotresolver.io.Failure;
+import io.github.knotresolver.ui.FormDialog;
 
 /**
  * The menu's and the macros' way to every Command of this program, in plain
@@ -74,8 +74,8 @@ public final class CommandPlugIn implements PlugIn {
 		final Optional<String> problem) {
 		final String anchor = title.toLowerCase(Locale.ROOT).replaceAll("[^a-z ]", "").replace(' ',
 			'-');
-		return new FormDialog(Form.of(command), title, DOCS + "#" + anchor, command::check)
-			.ask(problem);
+		return FormDialog.ask(new FormDialog.Words(title, DOCS + "#" + anchor, problem),
+			Form.of(command), command.groups(), command.companion(), command::check);
 	}
 
 	/** Why there is no result; empty if there is one. */

@@ -10,11 +10,13 @@ import org.scijava.plugin.Parameter;
 
 import ij.IJ;
 import io.github.knotresolver.imagej.form.Form;
+import io.github.knotresolver.imagej.form.FormGroups;
 import io.github.knotresolver.io.Failure;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Cancellation;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.ui.FormCompanion;
 
 /**
  * What all Commands share: values are checked, progress is shown, and input
@@ -87,6 +89,16 @@ abstract class KnotCommand extends ContextCommand {
 	 */
 	boolean askForMissing() {
 		return true;
+	}
+
+	/** @return how its fields are put before a person */
+	FormGroups groups() {
+		return FormGroups.NONE;
+	}
+
+	/** @return what goes along with its dialog, made anew; empty if nothing does */
+	Optional<FormCompanion> companion() {
+		return Optional.empty();
 	}
 
 	/** Writes a line to the log. */

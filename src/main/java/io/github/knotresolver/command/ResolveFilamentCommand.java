@@ -19,23 +19,23 @@ import org.scijava.widget.FileWidget;
 import ij.ImagePlus;
 import ij.WindowManager;
 import ij.plugin.frame.RoiManager;
-import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.imagej.ContourTables;
 import io.github.knotresolver.imagej.FolderSink;
 import io.github.knotresolver.imagej.ImageFile;
+import io.github.knotresolver.imagej.ImageSelection;
 import io.github.knotresolver.imagej.ImageSource;
 import io.github.knotresolver.imagej.ImageView;
 import io.github.knotresolver.imagej.ResultDisplay;
 import io.github.knotresolver.imagej.RoiConverter;
 import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.imagej.form.FormField;
+import io.github.knotresolver.imagej.form.FormGroups;
 import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.ParametersJson;
 import io.github.knotresolver.io.ProgramVersion;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.io.RunReport;
-import io.github.knotresolver.model.Region;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.RunOptions;
@@ -44,8 +44,10 @@ import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.run.Outcome;
 import io.github.knotresolver.run.ResolveRun;
 import io.github.knotresolver.run.ResultSink;
+import io.github.knotresolver.ui.FormCompanion;
 import io.github.knotresolver.ui.KeptSession;
 import io.github.knotresolver.ui.LiveResult;
+import io.github.knotresolver.ui.PreviewBox;
 import io.github.knotresolver.ui.TableClicks;
 
 /**
@@ -62,6 +64,17 @@ import io.github.knotresolver.ui.TableClicks;
 @Plugin(type = Command.class, label = "Resolve Filament...", attrs = @Attr(name = "no-legacy"))
 public class ResolveFilamentCommand extends KnotCommand {
 
+	/** What everyone meets, and the rest in the order in which data flows. */
+	static final FormGroups GROUPS = FormGroups
+		.basic("image", "movie", "filaments", "channel", "frames", "length", "out")
+		.and("Calibration", "pixel_size", "unit", "frame_interval", "z_as_time")
+		.and("Where to look", "fixed_end", "region", "ignore_frames", "corrections")
+		.and("From frame to mask", "polarity", "segmentation", "log_size", "log_sigma", "threshold",
+			"iterations", "contraction_bias", "smooth_factor")
+		.and("How contours are resolved", "anchor", "length_model", "candidates", "resolver",
+			"refine", "threads")
+		.and("What comes of it", "overlay", "roi_manager", "tables", "plots", "force");
+
 	@Parameter(label = "Image", description = "The active one", required = false, persist = false, visibility = ItemVisibility.INVISIBLE)
 	private ImagePlus image;
 
@@ -71,13 +84,13 @@ public class ResolveFilamentCommand extends KnotCommand {
 	@Parameter(label = "Fixed end (x,y in pixels)", description = "Empty for the image's point selection or, without one, to have it found", required = false, persist = false)
 	private String fixed_end = "";
 
-	@Parameter(label = "Region (x,y,width,height)", description = "Where to search; empty for the image's area selection or, without one, everywhere", required = false, persist = false)
+	@Parameter(label = "Region (x,y,width,height in px)", description = "Where to search; empty for the image's area selection or, without one, everywhere", required = false, persist = false)
 	private String region = "";
 
 	@Parameter(label = "Threshold (0..1 or otsu)", description = "Of the stretched intensities", required = false, persist = false)
 	private String threshold = "otsu";
 
-	@Parameter(label = "Iterations", description = "Of the active contour", min = "0", max = "1000", required = false, persist = false)
+	@Parameter(label = "Iterations (steps)", description = "Of the active contour", min = "0", max = "1000", required = false, persist = false)
 	private int iterations = 10;
 
 	@Parameter(label = "Contraction bias", description = "Of the active contour; positive shrinks", min = "-1", max = "1", stepSize = "0.1", required = false, persist = false)
@@ -108,7 +121,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 		"paper"}, required = false, persist = false)
 	private String resolver = "movie";
 
-	@Parameter(label = "Length (if known)", description = "Empty to estimate it", required = false, persist = false)
+	@Parameter(label = "Length (if known; image's unit)", description = "Of the filament; empty to estimate it", required = false, persist = false)
 	private String length = "";
 
 	@Parameter(label = "Length model", description = "auto: the same in all frames unless the movie says otherwise; free: what each frame says", choices = {
@@ -129,7 +142,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 	@Parameter(label = "Channel", description = "Of the filament", min = "1", required = false, persist = false)
 	private int channel = 1;
 
-	@Parameter(label = "Z as time (slices are frames)", required = false, persist = false)
+	@Parameter(label = "Z as time (slices are frames)", description = "Read the slices of a Z-stack as frames", required = false, persist = false)
 	private boolean z_as_time = false;
 
 	@Parameter(label = "Frames (as 1-40,45)", description = "Empty for all", required = false, persist = false)
@@ -141,13 +154,13 @@ public class ResolveFilamentCommand extends KnotCommand {
 	@Parameter(label = "Corrections (CSV)", description = "Contours that you drew: frame,index,x_px,y_px", required = false, persist = false)
 	private File corrections;
 
-	@Parameter(label = "Pixel size", description = "Empty for the image's", required = false, persist = false)
+	@Parameter(label = "Pixel size", description = "Edge of a pixel in the unit beside; empty for the image's", required = false, persist = false)
 	private String pixel_size = "";
 
-	@Parameter(label = "Frame interval (s)", description = "Empty for the image's", required = false, persist = false)
+	@Parameter(label = "Frame interval (s)", description = "Seconds from frame to frame; empty for the image's", required = false, persist = false)
 	private String frame_interval = "";
 
-	@Parameter(label = "Unit", description = "Empty for the image's", required = false, persist = false)
+	@Parameter(label = "Unit", description = "Of the pixel size, such as µm; empty for the image's", required = false, persist = false)
 	private String unit = "";
 
 	@Parameter(label = "Threads (0: all cores)", description = "The result does not depend on them", min = "0", required = false, persist = false)
@@ -159,7 +172,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 	@Parameter(label = "Plots in the folder", description = "Written with the result", required = false, persist = false)
 	private boolean plots = true;
 
-	@Parameter(label = "Force (replace a result)", required = false, persist = false)
+	@Parameter(label = "Force (replace a result)", description = "Replace the files of an earlier result in the folder; your own stay", required = false, persist = false)
 	private boolean force = false;
 
 	@Parameter(label = "Overlay", description = "Contours over the image, coloured along their length", required = false, persist = false)
@@ -179,6 +192,16 @@ public class ResolveFilamentCommand extends KnotCommand {
 	/** @param other what resolves movies instead of a session */
 	void setEngine(final Engine other) {
 		engine = other;
+	}
+
+	@Override
+	FormGroups groups() {
+		return GROUPS;
+	}
+
+	@Override
+	Optional<FormCompanion> companion() {
+		return Optional.of(new PreviewBox());
 	}
 
 	@Override
@@ -209,7 +232,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 	void work(final Progress progress) throws IOException {
 		final long start = System.nanoTime();
 		final ImagePlus input = input(progress);
-		final Map<String, String> texts = texts(input);
+		final Map<String, String> texts = ImageSelection.over(texts(), input);
 		final ResolveRun run = ResolveRun.of(texts);
 		final KeptSession session = new KeptSession();
 		if (engine == Engine.PIPELINE && !GraphicsEnvironment.isHeadless())
@@ -257,16 +280,6 @@ public class ResolveFilamentCommand extends KnotCommand {
 		texts.keySet().retainAll(RunOptions.KEYS);
 		if (threads == 0)
 			texts.remove("threads");
-		return texts;
-	}
-
-	private Map<String, String> texts(final ImagePlus input) {
-		final Map<String, String> texts = texts();
-		if (texts.get("fixed_end").isBlank())
-			texts.put("fixed_end",
-				RoiConverter.point(input.getRoi()).map(Point::toString).orElse(""));
-		if (texts.get("region").isBlank())
-			texts.put("region", RoiConverter.region(input).map(Region::toString).orElse(""));
 		return texts;
 	}
 

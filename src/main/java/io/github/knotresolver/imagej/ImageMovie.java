@@ -66,6 +66,11 @@ public final class ImageMovie {
 		return image.getNFrames() == 1 && image.getNSlices() == 1 && image.getNChannels() > 1;
 	}
 
+	/** @return whether the frames of an image are read from another axis than that of time */
+	public static boolean isTimeElsewhere(final ImagePlus image) {
+		return isAlongZ(image) || isAlongChannels(image);
+	}
+
 	private static List<Object> planes(final ImagePlus image, final InputOptions options) {
 		final boolean alongZ = isAlongZ(image), alongChannels = isAlongChannels(image);
 		final int frames = alongChannels

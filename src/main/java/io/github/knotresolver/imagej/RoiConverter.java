@@ -112,6 +112,16 @@ public final class RoiConverter {
 	}
 
 	/**
+	 * @param shape any ROI; its position is changed
+	 * @param frame a 1-based frame
+	 * @return the same, at the position of that frame
+	 */
+	public Roi placed(final Roi shape, final int frame) {
+		place.set(shape, frame);
+		return shape;
+	}
+
+	/**
 	 * @param contour a contour in pixels
 	 * @return a sub-pixel polyline without name and position
 	 */

@@ -84,9 +84,11 @@ final class EvidenceNotes {
 		return counts.length == 0 ? 0 : counts[counts.length / 2];
 	}
 
-	private static int objects(final FrameView frame) {
-		final int[] lengths = frame.evidence().stream()
-			.flatMap(e -> ConnectedComponents.of(e.skeleton()).objects().stream())
+	/** The number of long lines that do not touch. */
+	static int objects(final FrameView frame) {
+		final int[] lengths = frame.evidence().map(e -> e.skeleton())
+			.map(s -> ConnectedComponents.of(s).objects())
+			.orElseGet(() -> ConnectedComponents.of(frame.mask()).objects()).stream()
 			.mapToInt(MaskObject::pixels).sorted().toArray();
 		return (int) Arrays.stream(lengths).filter(n -> n > OBJECT * lengths[lengths.length - 1])
 			.count();

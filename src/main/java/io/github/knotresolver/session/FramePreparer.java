@@ -49,9 +49,14 @@ final class FramePreparer {
 	 * @param parameters with steps other than evidence
 	 */
 	FramePreparer(final Movie movie, final Settings parameters) {
+		this(movie, parameters, !parameters.isPublished() && isNoisy(movie));
+	}
+
+	/** The same for one who knows whether the movie is to be blurred, which the published method never does. */
+	FramePreparer(final Movie movie, final Settings parameters, final boolean blurs) {
 		this.movie = movie;
 		cleaner = new FrameCleaner(parameters.cleaning());
-		blurs = !parameters.isPublished() && isNoisy(movie);
+		this.blurs = blurs;
 		steps = parameters.segmentation().steps();
 		segmenter = parameters.isPublished()
 			? new FilamentSegmenter(parameters.segmentation())
@@ -95,7 +100,8 @@ final class FramePreparer {
 		return new FrameView(frame, light(frame), mask, SkeletonGraph.of(Skeletonize.thin(mask)));
 	}
 
-	private Img<FloatType> clean(final int frame) {
+	/** @return a frame as the threshold sees it, 0..1 */
+	Img<FloatType> clean(final int frame) {
 		final Img<FloatType> clean = cleaner.clean(movie.frame(frame - 1));
 		return blurs
 			? Pixels.image(GaussianBlur.blur(Pixels.floats(clean), movie.width(), BLUR),
@@ -104,7 +110,7 @@ final class FramePreparer {
 	}
 
 	/** Whether single pixels say little: looks at a few frames of the movie. */
-	private static boolean isNoisy(final Movie movie) {
+	static boolean isNoisy(final Movie movie) {
 		final int stride = 1 + (movie.size() - 1) / FRAMES_TO_LOOK_AT;
 		final double[] noise = IntStream.range(0, movie.size()).filter(t -> t % stride == 0)
 			.mapToDouble(t -> PixelNoise.of(

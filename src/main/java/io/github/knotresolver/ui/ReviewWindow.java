@@ -3,7 +3,6 @@ package io.github.knotresolver.ui;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
-import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -167,27 +166,8 @@ public final class ReviewWindow {
 		model.listen(this::refreshSoon);
 		refresh();
 		window.pack();
-		place();
+		Beside.place(window, image.getWindow());
 		window.setVisible(true);
-	}
-
-	/** Beside the image where there is room: right, below, left; else in the corner that is farthest. */
-	private void place() {
-		final Rectangle screen = GUI.getMaxWindowBounds(image.getWindow()),
-			beside = image.getWindow().getBounds();
-		final Dimension size = window.getSize();
-		final int lowest = screen.y + screen.height - size.height,
-			rightmost = screen.x + screen.width - size.width;
-		final int x = Math.max(screen.x, Math.min(rightmost, beside.x)),
-			y = Math.max(screen.y, Math.min(lowest, beside.y));
-		for (final Point corner : List.of(new Point(beside.x + beside.width, y),
-			new Point(x, beside.y + beside.height), new Point(beside.x - size.width, y)))
-			if (screen.contains(new Rectangle(corner, size))) {
-				window.setLocation(corner);
-				return;
-			}
-		window.setLocation(beside.x - screen.x > rightmost - beside.x ? screen.x : rightmost,
-			lowest);
 	}
 
 	private void say(final String sentence) {

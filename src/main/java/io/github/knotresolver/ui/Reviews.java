@@ -1,9 +1,7 @@
 package io.github.knotresolver.ui;
 
-import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.io.IOException;
-import java.lang.reflect.InvocationTargetException;
 import java.nio.file.Path;
 import java.util.Optional;
 
@@ -11,7 +9,6 @@ import ij.ImagePlus;
 import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageView;
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 
 /** The way from a result folder to its window, for all front doors. */
@@ -76,7 +73,7 @@ public final class Reviews {
 		if (ReviewWindow.toFront(image))
 			throw new UserException("The movie of result " + result.name()
 				+ " is being reviewed already; its window is in front now.");
-		onEvents(() -> ReviewWindow.open(result, image, closed));
+		EventThread.run(() -> ReviewWindow.open(result, image, closed));
 	}
 
 	private static ImagePlus image(final ReviewedResult result, final Progress progress) {
@@ -86,19 +83,5 @@ public final class Reviews {
 		final ImagePlus image = ImageFile.open(result.file().orElseThrow(), progress);
 		ImageView.show(image);
 		return image;
-	}
-
-	private static void onEvents(final Runnable work) {
-		try {
-			if (EventQueue.isDispatchThread())
-				work.run();
-			else
-				EventQueue.invokeAndWait(work);
-		} catch (final InterruptedException e) {
-			Thread.currentThread().interrupt();
-			throw new CancelledException();
-		} catch (final InvocationTargetException e) {
-			throw new IllegalStateException(e.getCause());
-		}
 	}
 }

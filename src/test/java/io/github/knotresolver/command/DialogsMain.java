@@ -1,14 +1,12 @@
 package io.github.knotresolver.command;
 
 import java.awt.AWTException;
-import java.awt.Checkbox;
 import java.awt.Component;
 import java.awt.Dialog;
 import java.awt.Frame;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.TextArea;
-import java.awt.TextField;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
@@ -26,6 +24,9 @@ import java.util.concurrent.CopyOnWriteArraySet;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 import javax.swing.JLabel;
+
+import javax.swing.JCheckBox;
+import javax.swing.JTextField;
 
 import ij.IJ;
 import ij.ImageJ;
@@ -272,7 +273,7 @@ final class DialogsMain {
 		Windows.press(dialog, "OK");
 		Windows.dialog(RESOLVE, "iterations must be a whole number from 0 to 1000");
 		require(dialog.isShowing() && Windows.dialogs().count() == 1, "It is another dialog.");
-		final TextField wrong = Windows.field(dialog, "Iterations");
+		final JTextField wrong = Windows.field(dialog, "Iterations");
 		require(wrong.getText().equals("1001") && wrong.getBackground().getGreen() < 230,
 			"It is not marked.");
 		require(Windows.field(dialog, "Length (if").getText().equals("15"), "15 is lost.");
@@ -299,8 +300,8 @@ final class DialogsMain {
 		Windows.type(dialog, "Duration", "1");
 		Windows.type(dialog, "Length", "5");
 		Windows.type(dialog, "Out", home.resolve("out force movie").toString());
-		for (final Checkbox box : Windows.all(dialog, Checkbox.class))
-			box.setState(true);
+		for (final JCheckBox box : Windows.all(dialog, JCheckBox.class))
+			Windows.set(dialog, box.getText(), true);
 		Windows.press(dialog, "OK");
 		Windows.await("movie", () -> WindowManager.getImageCount() == 1);
 		final String start = "run(\"Simulate Movie...\", \"length=5 ";
@@ -389,9 +390,8 @@ final class DialogsMain {
 		Windows.start(RESOLVE);
 		final Dialog dialog = Windows.dialog(RESOLVE);
 		Windows.type(dialog, "Frames", "1-3");
-		for (final Checkbox box : Windows.all(dialog, Checkbox.class))
-			if (List.of("Overlay", "ROI manager", "Tables").contains(box.getLabel()))
-				box.setState(false);
+		for (final String box : List.of("Overlay", "ROI manager", "Tables"))
+			Windows.set(dialog, box, false);
 		Windows.press(dialog, "OK");
 		finished();
 		require(image.getOverlay() == null && rois() == 0 && tables().isEmpty(), "Shown.");

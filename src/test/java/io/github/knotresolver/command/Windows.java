@@ -1,10 +1,10 @@
 package io.github.knotresolver.command;
 
 import java.awt.Button;
-import java.awt.Choice;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dialog;
+import java.awt.EventQueue;
 import java.awt.Label;
 import java.awt.TextField;
 import java.awt.Window;
@@ -14,6 +14,13 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
+
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JTextArea;
+import javax.swing.JTextField;
 
 import ij.IJ;
 import ij.gui.MultiLineLabel;
@@ -75,6 +82,10 @@ final class Windows {
 		for (final Component c : container.getComponents())
 			if (c instanceof Label label)
 				text.append(label.getText()).append(' ');
+			else if (c instanceof JLabel label)
+				text.append(label.getText()).append(' ');
+			else if (c instanceof JTextArea area)
+				text.append(area.getText().replace('\n', ' ')).append(' ');
 			else if (c instanceof MultiLineLabel label)
 				text.append(lines(label)).append(' ');
 			else if (c instanceof Container inner)
@@ -103,36 +114,65 @@ final class Windows {
 		return found;
 	}
 
-	/** The field that follows the words. */
-	static TextField field(final Container dialog, final String label) {
-		return fieldAfter(dialog, label, TextField.class);
+	/** The field that the words are for. */
+	static JTextField field(final Container dialog, final String label) {
+		return fieldOf(dialog, label, JTextField.class);
 	}
 
-	/** Types into the field that follows the words. */
-	static void type(final Container dialog, final String label, final String text) {
-		fieldAfter(dialog, label, TextField.class).setText(text);
+	/** Types into the field that the words are for, or that follows them. */
+	static void type(final Container dialog, final String label, final String text)
+		throws Exception {
+		if (all(dialog, TextField.class).isEmpty())
+			onEvents(() -> field(dialog, label).setText(text));
+		else
+			fieldAfter(dialog, label).setText(text);
 	}
 
-	/** Chooses from the list that follows the words. */
-	static void choose(final Container dialog, final String label, final String item) {
-		fieldAfter(dialog, label, Choice.class).select(item);
+	/** Chooses from the list that the words are for. */
+	static void choose(final Container dialog, final String label, final String item)
+		throws Exception {
+		onEvents(() -> fieldOf(dialog, label, JComboBox.class).setSelectedItem(item));
 	}
 
-	private static <T extends Component> T fieldAfter(final Container dialog, final String label,
+	/** Sets the box with these words. */
+	static void set(final Container dialog, final String label, final boolean wanted)
+		throws Exception {
+		onEvents(() -> {
+			final JCheckBox box = all(dialog, JCheckBox.class).stream()
+				.filter(b -> b.getText().startsWith(label)).findFirst().orElseThrow();
+			if (box.isSelected() != wanted)
+				box.doClick(0);
+		});
+	}
+
+	private static <T extends Component> T fieldOf(final Container dialog, final String label,
 		final Class<T> kind) {
+		return all(dialog, JLabel.class).stream()
+			.filter(l -> l.getText() != null && l.getText().startsWith(label))
+			.filter(l -> kind.isInstance(l.getLabelFor())).map(l -> kind.cast(l.getLabelFor()))
+			.findFirst().orElseThrow(() -> new AssertionError(
+				"The dialog has no field '" + label + "': " + text(dialog)));
+	}
+
+	/** In ImageJ's own dialogs a field follows its words. */
+	private static TextField fieldAfter(final Container dialog, final String label) {
 		boolean seen = false;
 		for (final Component c : all(dialog, Component.class)) {
 			if (c instanceof Label words && words.getText().startsWith(label))
 				seen = true;
-			if (seen && kind.isInstance(c))
-				return kind.cast(c);
-			if (seen && c instanceof Container inner && !all(inner, kind).isEmpty())
-				return all(inner, kind).get(0);
+			if (seen && c instanceof TextField field)
+				return field;
 		}
 		throw new AssertionError("The dialog has no field '" + label + "': " + text(dialog));
 	}
 
+	static void onEvents(final Runnable work) throws Exception {
+		EventQueue.invokeAndWait(work);
+	}
+
 	static void press(final Container container, final String label) {
+		all(container, JButton.class).stream().filter(b -> b.getText().strip().equals(label.strip()))
+			.forEach(b -> EventQueue.invokeLater(b::doClick));
 		for (final Button button : all(container, Button.class))
 			if (button.getLabel().strip().equals(label.strip()))
 				for (final var listener : button.getActionListeners())

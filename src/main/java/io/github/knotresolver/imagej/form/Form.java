@@ -109,7 +109,7 @@ public final class Form {
 	 * @return the field that it is about: the one that it begins with, or else the first that it
 	 *         names by a key with an underscore
 	 */
-	Optional<FormField> mentioned(final String sentence) {
+	public Optional<FormField> mentioned(final String sentence) {
 		final String[] words = sentence.split("[^A-Za-z_]+");
 		return Stream
 			.concat(Stream.of(words).limit(1), Stream.of(words).filter(w -> w.contains("_")))

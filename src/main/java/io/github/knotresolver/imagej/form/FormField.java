@@ -5,6 +5,7 @@ import java.lang.reflect.Field;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 import org.scijava.plugin.Attr;
 import org.scijava.plugin.Parameter;
@@ -107,6 +108,16 @@ public final class FormField {
 		return value.toString();
 	}
 
+	/** @return the value that the Command has before anybody fills it in, as text */
+	public String byDefault() {
+		try {
+			return new FormField(command.getClass().getDeclaredConstructor().newInstance(), field)
+				.text();
+		} catch (final ReflectiveOperationException e) {
+			throw new IllegalStateException(e);
+		}
+	}
+
 	/**
 	 * @param text what was typed; blank for none, where none is a value
 	 * @throws UserException if it is not allowed; one sentence that
@@ -168,15 +179,19 @@ public final class FormField {
 			.orElseThrow(() -> refusal(text));
 	}
 
-	/** Of two images with the same title the active one. */
 	private ImagePlus image(final String title) {
+		return openImage(title).orElseThrow(() -> refusal(title));
+	}
+
+	/**
+	 * @param title title of an image
+	 * @return the open image of that title, of two the active one; empty if there is none
+	 */
+	public static Optional<ImagePlus> openImage(final String title) {
 		final ImagePlus active = WindowManager.getCurrentImage();
-		final ImagePlus image = active != null && title.equals(active.getTitle())
+		return Optional.ofNullable(active != null && title.equals(active.getTitle())
 			? active
-			: WindowManager.getImage(title);
-		if (image == null)
-			throw refusal(title);
-		return image;
+			: WindowManager.getImage(title));
 	}
 
 	/**
