@@ -57,7 +57,7 @@ final class DialogsMain {
 	private static final String RESOLVE = "Resolve Filament...";
 
 	/** What a person does, and what must come of it. */
-	private interface Scene {
+	interface Scene {
 
 		void play() throws Exception;
 	}
@@ -123,6 +123,7 @@ final class DialogsMain {
 		scenes.put("a macro in batch mode opens no ROI Manager", this::batchMode);
 		scenes.put("a hidden image stays hidden", this::hiddenImage);
 		scenes.put("the ROI Manager is measured", this::measure);
+		scenes.putAll(PreviewScenes.scenes());
 		return scenes;
 	}
 
@@ -498,7 +499,7 @@ final class DialogsMain {
 		Windows.press(dialog, "OK");
 	}
 
-	private static void finished() throws Exception {
+	static void finished() throws Exception {
 		Windows.await("end", () -> log().contains("Time: ") && !running());
 	}
 
@@ -513,7 +514,7 @@ final class DialogsMain {
 			.anyMatch(t -> t.getName().equals(RESOLVE));
 	}
 
-	private static String log() {
+	static String log() {
 		return IJ.getLog() == null ? "" : IJ.getLog();
 	}
 
@@ -533,7 +534,7 @@ final class DialogsMain {
 		return at < 0 ? "" : text.substring(at).lines().findFirst().orElseThrow();
 	}
 
-	private static ImagePlus sample(final String title) {
+	static ImagePlus sample(final String title) {
 		final ImagePlus image = SampleMovie.open();
 		image.setTitle(title);
 		image.show();
@@ -580,7 +581,7 @@ final class DialogsMain {
 		Windows.all(Recorder.getInstance(), TextArea.class).forEach(a -> a.setText(""));
 	}
 
-	private static void require(final boolean condition, final String otherwise) {
+	static void require(final boolean condition, final String otherwise) {
 		if (!condition)
 			throw new AssertionError(otherwise);
 	}

@@ -1,0 +1,180 @@
+package io.github.knotresolver.command;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Dialog;
+import java.awt.Point;
+import java.awt.Robot;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.util.Arrays;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+
+import ij.ImagePlus;
+import ij.gui.Overlay;
+import ij.gui.PointRoi;
+import ij.gui.Roi;
+
+/** The dialog of {@code Resolve Filament...} with mouse and keys: its preview, and what is closed. */
+final class PreviewScenes {
+
+	private static final String RESOLVE = "Resolve Filament...";
+	private final Robot robot;
+
+	PreviewScenes() throws Exception {
+		robot = new Robot();
+		robot.setAutoDelay(20);
+	}
+
+	/** Robots need a display; names do not. */
+	static Map<String, DialogsMain.Scene> scenes() {
+		return new TreeMap<>(Map.of("the preview follows slider, values and selections, and goes",
+			() -> new PreviewScenes().follows(), "Esc takes dialog and preview away",
+			() -> new PreviewScenes().escape(), "the previewed image is closed meanwhile",
+			() -> new PreviewScenes().closed(), "the preview is on the image that is chosen",
+			() -> new PreviewScenes().twoImages(), "keys alone fill in the dialog",
+			() -> new PreviewScenes().keys()));
+	}
+
+	private void follows() throws Exception {
+		final ImagePlus image = DialogsMain.sample("preview");
+		final Overlay mine = new Overlay(new Roi(2, 2, 3, 3));
+		image.setOverlay(mine);
+		final Dialog dialog = open();
+		seen(dialog, image, 1);
+		DialogsMain.require(image.getOverlay().contains(mine.get(0)), "The user's shape is gone.");
+		image.setSlice(5);
+		seen(dialog, image, 5);
+		image.setRoi(new PointRoi(20.0, 24.0));
+		final double automatic = area(image);
+		Windows.type(dialog, "Threshold", "0.9");
+		Windows.await("another mask", () -> area(image) > 0 && area(image) < automatic);
+		click(component(dialog, "preview"));
+		Windows.await("no preview", () -> image.getOverlay() == mine);
+		click(component(dialog, "preview"));
+		seen(dialog, image, 5);
+		Windows.press(dialog, "Cancel");
+		Windows.await("end", () -> image.getOverlay() == mine && !dialog.isShowing());
+		for (final JComponent part : Windows.all(dialog, JComponent.class))
+			if (part instanceof JButton || part instanceof JCheckBox)
+				DialogsMain.require(part.getToolTipText() != null || part.getName() == null,
+					part.getName() + " has no help.");
+	}
+
+	private void escape() throws Exception {
+		final ImagePlus image = DialogsMain.sample("escape");
+		final Dialog dialog = open();
+		seen(dialog, image, 1);
+		focus(dialog, component(dialog, "frames"));
+		type(KeyEvent.VK_ESCAPE);
+		Windows.await("end", () -> !dialog.isShowing() && image.getOverlay() == null);
+		DialogsMain.require(DialogsMain.log().isEmpty(), DialogsMain.log());
+	}
+
+	private void closed() throws Exception {
+		final ImagePlus image = DialogsMain.sample("closed meanwhile");
+		final Dialog dialog = open();
+		seen(dialog, image, 1);
+		image.close();
+		Windows.await("no words", () -> !Windows.text(dialog).contains("filament, width"));
+		Windows.press(dialog, "OK");
+		Windows.message("There is no image open");
+	}
+
+	private void twoImages() throws Exception {
+		final ImagePlus other = DialogsMain.sample("other"), active = DialogsMain.sample("active");
+		final Dialog dialog = open();
+		seen(dialog, active, 1);
+		Windows.choose(dialog, "Image", "other");
+		seen(dialog, other, 1);
+		DialogsMain.require(active.getOverlay() == null, "The preview stays on the other image.");
+		Windows.start(RESOLVE);
+		Thread.sleep(300);
+		DialogsMain.require(Windows.dialogs().count() == 1, "A second dialog is open.");
+		Windows.press(dialog, "Cancel");
+		Windows.await("end", () -> other.getOverlay() == null);
+	}
+
+	private void keys() throws Exception {
+		final ImagePlus image = DialogsMain.sample("keys");
+		final Dialog dialog = open();
+		focus(dialog, component(dialog, "frames"));
+		type(KeyEvent.VK_1);
+		type(KeyEvent.VK_MINUS);
+		type(KeyEvent.VK_3);
+		Windows.await("text",
+			() -> Windows.field(dialog, "Frames").getText().equals("1-3"));
+		robot.keyPress(KeyEvent.VK_ALT);
+		type(KeyEvent.VK_A);
+		robot.keyRelease(KeyEvent.VK_ALT);
+		Windows.await("advanced", () -> component(dialog, "threshold").isShowing());
+		type(KeyEvent.VK_ENTER);
+		DialogsMain.finished();
+		DialogsMain.require(image.getOverlay() != null, "Nothing came of it.");
+	}
+
+	private static Dialog open() throws Exception {
+		Windows.start(RESOLVE);
+		return Windows.dialog(RESOLVE);
+	}
+
+	/** The frame is described in words, and drawn. */
+	private static void seen(final Dialog dialog, final ImagePlus image, final int frame)
+		throws Exception {
+		Windows.await("preview of frame " + frame,
+			() -> Windows.text(dialog).contains("frame " + frame + ": 1 filament")
+				&& area(image) > 0
+				&& names(image).filter(r -> r.getName().equals("look-contour"))
+					.allMatch(r -> r.getPosition() == frame));
+	}
+
+	private static Stream<Roi> names(final ImagePlus image) {
+		return image.getOverlay() == null
+			? Stream.empty()
+			: Arrays.stream(image.getOverlay().toArray()).filter(r -> r.getName() != null);
+	}
+
+	/** Pixels inside the outline that is drawn. */
+	private static double area(final ImagePlus image) {
+		return names(image).filter(r -> r.getName().equals("look-mask"))
+			.mapToDouble(r -> r.getStatistics().pixelCount).sum();
+	}
+
+	private static Component component(final Dialog dialog, final String name) {
+		return named(dialog, name).findFirst().orElseThrow();
+	}
+
+	private static Stream<Component> named(final Container container, final String name) {
+		return Arrays.stream(container.getComponents())
+			.flatMap(c -> Stream.concat(name.equals(c.getName()) ? Stream.of(c) : Stream.empty(),
+				c instanceof Container inner ? named(inner, name) : Stream.empty()));
+	}
+
+	private void focus(final Dialog dialog, final Component inside) throws Exception {
+		Windows.onEvents(() -> {
+			dialog.toFront();
+			inside.requestFocus();
+		});
+		Windows.await("focus", inside::isFocusOwner);
+	}
+
+	private void type(final int key) {
+		robot.keyPress(key);
+		robot.keyRelease(key);
+		robot.waitForIdle();
+	}
+
+	private void click(final Component component) {
+		final Point at = component.getLocationOnScreen();
+		robot.mouseMove(at.x + 10, at.y + component.getHeight() / 2);
+		robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+		robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+		robot.waitForIdle();
+	}
+}
