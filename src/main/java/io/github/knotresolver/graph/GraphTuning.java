@@ -5,7 +5,7 @@ package io.github.knotresolver.graph;
  * pixel wide, whatever the line was. {@code docs/constants.md} says what halving and doubling
  * each does.
  */
-final class GraphTuning {
+public final class GraphTuning {
 
 	/**
 	 * [px] A loop of a junction that is shorter is a notch. Why: three branch pixels in a triangle
@@ -20,10 +20,11 @@ final class GraphTuning {
 	static final double KEPT = 4;
 
 	/**
-	 * [px] A free end this near to the clamp may be where the filament is held. Why: thinning
-	 * takes half a width off, and a clamp is given to a few pixels.
+	 * [px] What is this near to a clamp is at it: a free end of a skeleton, an object, an end that
+	 * was learned. Why: thinning takes half a width off an end, and people point to it within a
+	 * few pixels.
 	 */
-	static final double CLAMP_REACH = 12;
+	public static final double NEAR_CLAMP = 12;
 
 	/**
 	 * [px] A free end this much farther away than the nearest segment still wins. Why: a filament

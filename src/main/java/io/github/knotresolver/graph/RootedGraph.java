@@ -38,7 +38,7 @@ public record RootedGraph(SkeletonGraph graph, List<Node> roots) {
 		if (inside.isEmpty())
 			return new RootedGraph(graph, List.of());
 		final List<Node> near = graph.freeEnds().stream()
-			.filter(n -> n.position().distanceTo(fixedEnd) <= GraphTuning.CLAMP_REACH)
+			.filter(n -> n.position().distanceTo(fixedEnd) <= GraphTuning.NEAR_CLAMP)
 			.sorted(nearest).toList();
 		if (!near.isEmpty() && near.get(0).position().distanceTo(fixedEnd) <= inside.get().distance
 			+ GraphTuning.END_PREFERENCE)

@@ -15,6 +15,7 @@ import io.github.knotresolver.candidate.TrailCandidates;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.graph.GraphTuning;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.mask.Masks;
 import io.github.knotresolver.mask.ObjectFollower;
@@ -46,9 +47,6 @@ import io.github.knotresolver.track.TrellisResolver;
  * skeletons alone, or ours with fits.
  */
 final class FrameResolver {
-
-	/** A clamped filament's mask begins this near (pixels) to its fixed end. */
-	private static final double REACH = 12;
 
 	private final Settings parameters;
 	private final Set<LineModel.Kind> kinds;
@@ -131,7 +129,7 @@ final class FrameResolver {
 		final List<Img<BitType>> masks = frames.stream().map(FrameView::mask).toList();
 		final List<Optional<Img<BitType>>> found = parameters.isPublished()
 			? ObjectFollower.follow(masks, fixedEnd)
-			: ObjectFollower.followClamped(masks, fixedEnd, REACH);
+			: ObjectFollower.followClamped(masks, fixedEnd, GraphTuning.NEAR_CLAMP);
 		return workers.map(frames.size(),
 			t -> new FrameGraph(frames.get(t).frame(),
 				found.get(t).map(m -> SkeletonGraph.of(skeleton(frames.get(t), m),

@@ -9,6 +9,7 @@ import java.util.Optional;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.graph.GraphTuning;
 import io.github.knotresolver.model.Anchor;
 import io.github.knotresolver.model.AnchorChoice;
 import io.github.knotresolver.model.Constraint;
@@ -30,9 +31,6 @@ import io.github.knotresolver.track.SingleFilament;
 
 /** A movie as far as it is known without a word of the user: frames as graphs, and who answers. */
 final class SolvedMovie {
-
-	/** A told fixed end farther than this (pixels) from any object is a mistake. */
-	private static final double FAR = 12;
 
 	private final Movie movie;
 	private final PreparedMovie prepared;
@@ -200,7 +198,7 @@ final class SolvedMovie {
 		final PreparedMovie prepared) {
 		final double nearest = prepared.pixels().binning() * prepared.frames().stream()
 			.mapToDouble(f -> f.distance(working)).min().orElse(Double.POSITIVE_INFINITY);
-		if (nearest > FAR)
+		if (nearest > GraphTuning.NEAR_CLAMP)
 			throw new UserException("fixed_end " + end + " is "
 				+ (Double.isInfinite(nearest) ? "not near" : Math.round(nearest) + " px from")
 				+ " any object in any frame; give a point on the "

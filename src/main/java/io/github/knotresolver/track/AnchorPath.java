@@ -10,6 +10,7 @@ import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitSettings;
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.graph.GraphTuning;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.track.EndPaths.End;
 import io.github.knotresolver.track.EndPaths.EndPath;
@@ -27,9 +28,6 @@ record AnchorPath(List<Point> places, double[] weights) {
 
 	/** Weight of a place that is known. */
 	private static final double STRONGEST = FitSettings.DEFAULT.clampWeight();
-
-	/** A skeleton's end this near (pixels) to a place that was told is the end that is meant. */
-	private static final double NEAR = 8;
 
 	/** Light says of so many frames at least where the end is, or the skeletons do. */
 	private static final int FEWEST = 5;
@@ -100,7 +98,7 @@ record AnchorPath(List<Point> places, double[] weights) {
 	 */
 	static AnchorPath follow(final List<FrameView> frames, final Point place,
 		final Progress progress) {
-		return EndPaths.past(FreeEnds.of(frames), place, NEAR, progress)
+		return EndPaths.past(FreeEnds.of(frames), place, GraphTuning.NEAR_CLAMP, progress)
 			.map(path -> along(path, frames.size(), HIDDEN))
 			.orElseGet(() -> still(place, frames.size()));
 	}

@@ -29,6 +29,7 @@ import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.graph.GraphTuning;
 import io.github.knotresolver.model.LengthModel;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
@@ -41,9 +42,6 @@ import io.github.knotresolver.progress.Workers;
  * candidates; the cheapest path through all fits of all frames is the movie.
  */
 public final class FitResolver {
-
-	/** The fixed end that is learned from the clearest frames is this near (pixels), or wrong. */
-	private static final double NEAR = 10;
 
 	private final CandidateGenerator generator;
 	private final Set<LineModel.Kind> kinds;
@@ -193,7 +191,9 @@ public final class FitResolver {
 		progress.report("Learning what the filament looks like", 0);
 		return FilamentEstimator.estimate(sightings, kinds, workers, progress)
 			.map(e -> length.isPresent() ? e.withLength(length.getAsDouble()) : e)
-			.map(e -> e.fixedEnd().distanceTo(fixedEnd) > NEAR ? e.withFixedEnd(fixedEnd) : e);
+			.map(e -> e.fixedEnd().distanceTo(fixedEnd) > GraphTuning.NEAR_CLAMP
+				? e.withFixedEnd(fixedEnd)
+				: e);
 	}
 
 	private FitPools pools(final List<FrameView> frames, final FilamentCourse course) {

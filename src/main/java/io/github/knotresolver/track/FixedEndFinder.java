@@ -33,8 +33,8 @@ public final class FixedEndFinder {
 	/** Price of a frame in which no trail begins at a place; of one far from the filament, at most. */
 	private static final double NO_TRAIL = 100;
 
-	/** The clamped end is this near (pixels) to a skeleton in every frame. */
-	private static final double NEAR = 6;
+	/** A skeleton that is this near (pixels) to a place holds it: where strands cross, one lies beside the other. */
+	private static final double ASIDE = 6;
 
 	private static final int CONTENDERS = 5;
 	private static final int FRAMES_TO_TRY = 12;
@@ -113,7 +113,7 @@ public final class FixedEndFinder {
 					progress)
 				.candidates();
 			sum += best.isEmpty() ? NO_TRAIL : best.get(0).price().total();
-			sum += Math.min(NO_TRAIL, Math.max(0, frame.distance(anchor.at(t)) - NEAR));
+			sum += Math.min(NO_TRAIL, Math.max(0, frame.distance(anchor.at(t)) - ASIDE));
 		}
 		return sum / tries;
 	}

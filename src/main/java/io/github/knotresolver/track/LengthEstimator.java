@@ -9,6 +9,7 @@ import org.apache.commons.math3.stat.descriptive.rank.Median;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.RobustStatistics;
+import io.github.knotresolver.graph.GraphTuning;
 import io.github.knotresolver.graph.RootedGraph;
 import io.github.knotresolver.graph.SkeletonGraph;
 
@@ -27,9 +28,6 @@ public final class LengthEstimator {
 
 	/** ... and by more than this share of the median. */
 	private static final double TOLERANCE = 0.03;
-
-	/** An unbranched skeleton ends this near (pixels) to the fixed end. */
-	private static final double NEAR = 12;
 
 	private LengthEstimator() {
 	}
@@ -82,6 +80,6 @@ public final class LengthEstimator {
 	}
 
 	private static boolean endsNear(final SkeletonGraph graph, final Point fixedEnd) {
-		return graph.freeEnds().stream().anyMatch(n -> n.position().distanceTo(fixedEnd) <= NEAR);
+		return graph.freeEnds().stream().anyMatch(n -> n.position().distanceTo(fixedEnd) <= GraphTuning.NEAR_CLAMP);
 	}
 }

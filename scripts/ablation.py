@@ -1,0 +1,174 @@
+"""The table of docs/constants.md; called by scripts/ablation."""
+
+import argparse
+import hashlib
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+SOURCES = ROOT / "src" / "main" / "java"
+MEASURED = ROOT / "target" / "ablation.json"
+DOCUMENT = ROOT / "docs" / "constants.md"
+CONSTANT = re.compile(r"/\*\*((?:(?!\*/).)*)\*/\s*(?:public )?static final (int|double) (\w+) = ([^;]+);", re.S)
+TEXT = re.compile(r"\[([^\]]+)\] (.*) Why: (.*)", re.S)
+FACTORS = (0.5, 2)
+AT_MOST_ONE = ("share", "cosine")
+CONDITIONS = (("drift10_L20_d25", 8), ("base_L15_d50", 8))
+SCENES = (("glide5", 5),)
+INTRODUCTION = """# Tuning constants
+
+What the method is tuned by, room by room: each number with its unit, what it is, why it has its value, and what becomes of
+the result if it is halved or doubled. `scripts/ablation` writes this page: it changes one constant at a time, resolves
+{movies}, and scores them against the truth.
+
+*halved* and *doubled*: percentage of filament-frames in which a contour lies on the true one, whichever way it runs, and in
+brackets of contours that lie on none with a confidence above 0.9; as the constants are, it is **{base}**. `=` says that no contour changed at all: these movies do not need the constant.
+`fails` says that the program does not work so. A blank cell was not measured. Shares and cosines are doubled to 1 at most.
+
+*px* are pixels where a pixel is meant; a *line width* is the standard deviation of the line's profile; a *noise sigma* the
+standard deviation of what is measured where there is no line; *strands* is brightness in units of a single strand's.
+"""
+
+
+class Constant:
+    """One number of a room."""
+
+    def __init__(self, file, match):
+        text = TEXT.fullmatch(" ".join(re.sub(r"\n\s*\*", " ", match[1]).split()))
+        if not text:
+            sys.exit(f"{file.name}: {match[3]} has no '[unit] what it is. Why: reason'.")
+        self.file, self.type, self.name, self.value = file, match[2], match[3], " ".join(match[4].split())
+        self.unit, self.what, self.why = text.groups()
+        self.room = file.parent.name
+
+    def changed(self, factor):
+        if self.type == "int":
+            return f"(int) Math.max(1, Math.rint({factor} * ({self.value})))"
+        times = f"{factor} * ({self.value})"
+        return f"Math.min(1, {times})" if self.unit in AT_MOST_ONE else times
+
+    def key(self, factor):
+        return f"{self.room}.{self.name}={self.value}*{factor}"
+
+
+def constants():
+    return [Constant(file, m) for file in sorted(SOURCES.rglob("*Tuning.java")) for m in CONSTANT.finditer(file.read_text())]
+
+
+def movies(folder, bench):
+    """[(tiff, truth)] of the movies, rendered into a folder."""
+    import conditions
+    import render
+    import scenes
+    found = []
+    for name, count in CONDITIONS:
+        condition, curves = name.split("_", 1)
+        stack, curve, pixel, interval = conditions.movie(condition, str(bench / "curves" / f"{curves}.npz"), 40, count, 1)
+        found.append((name, stack, {1: curve}, pixel, interval))
+    for name, count in SCENES:
+        stack, curves, interval = scenes.render(str(bench / "scenes" / f"{name}.npz"))
+        found.append((name, stack[:count], {k: c[:count] for k, c in curves.items()}, scenes.PIXEL, interval))
+    for name, stack, truth, pixel, interval in found:
+        render.write_tiff(str(folder / f"{name}.tif"), stack, pixel=pixel, interval=interval)
+        scenes.write_truth(str(folder / f"{name}_truth.csv"), truth)
+    return [(folder / f"{name}.tif", folder / f"{name}_truth.csv") for name, *_ in found]
+
+
+def resolve(path, found, folder):
+    """Percentages found and silently wrong, and a digest of all contours; None if the program fails."""
+    import scenes
+    out = folder / "out"
+    run = subprocess.run(["java", "-Djava.awt.headless=true", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xmx3g", "-cp", path,
+                          "io.github.knotresolver.session.BenchmarkMain", str(out), "default"] + [str(tiff) for tiff, _ in found],
+                         capture_output=True, text=True, check=False, timeout=1800)
+    if run.returncode:
+        return None
+    scores, digest = [], hashlib.sha256()
+    for tiff, truth in found:
+        result = out / "default" / tiff.stem / "contours.csv"
+        digest.update(result.read_bytes())
+        scores.append(scenes.score(str(truth), str(result), str(result.with_name("frames.csv"))))
+    mean = lambda key: sum(s[key] or 0 for s in scores) / len(scores)
+    return {"found": mean("found"), "silent": mean("silent"), "contours": digest.hexdigest()}
+
+
+def variant(constant, factor, path, found):
+    """What resolve says with one constant changed: its class and all that name it are compiled anew."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        source = constant.file.read_text()
+        old = re.search(rf"static final \w+ {constant.name} = [^;]+;", source)[0]
+        changed = folder / constant.file.name
+        changed.write_text(source.replace(old, f"static final {constant.type} {constant.name} = {constant.changed(factor)};"))
+        users = [str(f) for f in SOURCES.rglob("*.java") if f != constant.file and constant.file.stem in f.read_text()]
+        classes = folder / "classes"
+        subprocess.run(["javac", "-nowarn", "-proc:none", "--release", "17", "-d", str(classes), "-cp", path, str(changed)] + users,
+                       check=True, capture_output=True)
+        return resolve(f"{classes}{os.pathsep}{path}", found, folder)
+
+
+def measure(args):
+    sys.path.insert(0, str(args.bench))
+    path = args.classpath or subprocess.run([ROOT / "scripts" / "test-classpath"], check=True, capture_output=True, text=True).stdout.strip()
+    measured = json.loads(MEASURED.read_text()) if MEASURED.exists() else {}
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        found = movies(folder, args.bench)
+        base = resolve(path, found, folder)
+        if measured.get("base", base) != base:
+            print("The contours are others than when target/ablation.json was written: all is measured anew.", file=sys.stderr)
+            measured = {}
+        measured["base"] = base
+        for constant in constants():
+            for factor in FACTORS:
+                if constant.key(factor) in measured or not re.search(args.only, f"{constant.room}.{constant.name}"):
+                    continue
+                measured[constant.key(factor)] = variant(constant, factor, path, found)
+                MEASURED.write_text(json.dumps(measured, indent=1))
+                print(constant.key(factor), measured[constant.key(factor)], file=sys.stderr)
+
+
+def cell(measured, key):
+    if key not in measured:
+        return ""
+    got = measured[key]
+    return "fails" if got is None else "=" if got["contours"] == measured["base"]["contours"] else figures(got)
+
+
+def figures(got):
+    return f"{got['found']:.1f} ({got['silent']:.1f})"
+
+
+def table():
+    measured = json.loads(MEASURED.read_text())
+    names = ", ".join(f"{n} ({c} frames)" for n, c in CONDITIONS + SCENES)
+    text = INTRODUCTION.format(movies=f"short movies of `scripts/benchmark`: {names}", base=figures(measured["base"]))
+    room = None
+    for c in constants():
+        if c.room != room:
+            room = c.room
+            text += f"\n## `{room}`\n\n| constant | value | unit | what, and why | halved | doubled |\n|---|---:|---|---|---:|---:|\n"
+        halved, doubled = (cell(measured, c.key(f)) for f in FACTORS)
+        text += f"| `{c.name}` | {c.value} | {c.unit} | {c.what} *Why:* {c.why} | {halved} | {doubled} |\n"
+    DOCUMENT.write_text(text)
+
+
+def main():
+    p = argparse.ArgumentParser(prog="scripts/ablation", description=__doc__)
+    p.add_argument("--only", default="", metavar="PATTERN", help="constants whose name, room.NAME, matches")
+    p.add_argument("--table", action="store_true", help="write the table of what was measured before, measure nothing")
+    p.add_argument("--bench", type=pathlib.Path, default=ROOT.parent / "shared" / "bench", help="folder of render.py, score.py and curves")
+    p.add_argument("--classpath", metavar="PATH", help="compiled classes and libraries [built by scripts/test-classpath]")
+    args = p.parse_args()
+    if not args.table:
+        measure(args)
+    table()
+
+
+if __name__ == "__main__":
+    main()
