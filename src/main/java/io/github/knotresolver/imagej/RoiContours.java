@@ -15,7 +15,7 @@ import ij.plugin.frame.RoiManager;
 import ij.process.FloatPolygon;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.io.ContourInput;
-import io.github.knotresolver.io.MeasuredFilament;
+import io.github.knotresolver.measure.MeasuredFilament;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 

@@ -12,7 +12,7 @@ import ij.gui.PolygonRoi;
 import ij.gui.Roi;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.io.MeasuredFilament;
+import io.github.knotresolver.measure.MeasuredFilament;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Region;

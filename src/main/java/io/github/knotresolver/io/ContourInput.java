@@ -21,6 +21,7 @@ import com.google.gson.JsonParser;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.measure.MeasuredFilament;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.OptionText;

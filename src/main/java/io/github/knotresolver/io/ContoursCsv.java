@@ -15,6 +15,8 @@ import org.apache.commons.csv.CSVPrinter;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.measure.MeasuredFrame;
+import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.OptionText;

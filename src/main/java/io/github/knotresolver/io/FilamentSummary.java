@@ -3,6 +3,8 @@ package io.github.knotresolver.io;
 import java.util.List;
 import java.util.OptionalInt;
 
+import io.github.knotresolver.measure.LengthStatistics;
+import io.github.knotresolver.measure.MeasuredFilament;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 

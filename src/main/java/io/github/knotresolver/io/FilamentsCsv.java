@@ -5,6 +5,9 @@ import java.nio.file.Path;
 
 import org.apache.commons.csv.CSVPrinter;
 
+import io.github.knotresolver.measure.MeasuredFilament;
+import io.github.knotresolver.measure.MeasuredTracks;
+
 /**
  * {@code filaments.csv}: one row a filament. {@code first_frame} and
  * {@code last_frame} are the first and the last one in which it is in view, of

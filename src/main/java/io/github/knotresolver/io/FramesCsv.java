@@ -11,6 +11,8 @@ import java.util.TreeMap;
 
 import org.apache.commons.csv.CSVPrinter;
 
+import io.github.knotresolver.measure.MeasuredFrame;
+import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.measure.Quantity;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.options.OptionText;

@@ -164,7 +164,7 @@ public final class MeasurementTables {
 					final Optional<DominantFrequency> d = movie.dominantFrequency(q);
 					if (d.isPresent())
 						table.print(q.key(), NumberText.significant(d.get().frequency()),
-							NumberText.significant(d.get().standardError()), movie.frequencyUnit(),
+							NumberText.significant(d.get().standardError()), movie.calibration().frequencyUnit(),
 							NumberText.significant(d.get().amplitude()), movie.unit(q),
 							NumberText.significant(d.get().phase()),
 							NumberText.significant(d.get().falseAlarmProbability()));
@@ -188,7 +188,7 @@ public final class MeasurementTables {
 					final double[] f = spectrum.frequency(), a = spectrum.amplitude();
 					for (int i = 0; i < f.length; i++)
 						table.print(q.key(), NumberText.significant(f[i]),
-							NumberText.significant(a[i]), movie.frequencyUnit(), movie.unit(q));
+							NumberText.significant(a[i]), movie.calibration().frequencyUnit(), movie.unit(q));
 				}
 			});
 	}
@@ -211,7 +211,7 @@ public final class MeasurementTables {
 	private static List<Object> row(final MovieMeasurements movie, final String field,
 		final TravellingWave w) {
 		final String unit = movie.calibration().unit();
-		return List.of(field, NumberText.significant(w.frequency()), movie.frequencyUnit(),
+		return List.of(field, NumberText.significant(w.frequency()), movie.calibration().frequencyUnit(),
 			NumberText.significant(w.speed()), NumberText.significant(w.speedError()),
 			unit + "/" + movie.calibration().timeUnit(), NumberText.significant(w.wavelength()),
 			NumberText.significant(w.amplitude()), NumberText.significant(w.place()),

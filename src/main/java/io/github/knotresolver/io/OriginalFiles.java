@@ -11,6 +11,9 @@ import org.apache.commons.csv.CSVPrinter;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.measure.DominantFrequency;
+import io.github.knotresolver.measure.MeasuredFilament;
+import io.github.knotresolver.measure.MeasuredFrame;
+import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.measure.OriginalQuantities;
 import io.github.knotresolver.measure.Quantity;
 import io.github.knotresolver.model.Calibration;
@@ -74,7 +77,7 @@ public final class OriginalFiles {
 				values(measured, f -> folded(f.get(Quantity.TIP_ANGLE))),
 				values(measured, f -> f.get(Quantity.END_TO_END)),
 				filament.dominantFrequency().map(DominantFrequency::frequency).orElse(Double.NaN)),
-			c, result.frequencyUnit());
+			c, result.calibration().frequencyUnit());
 	}
 
 	private static double[] values(final List<MeasuredFrame> frames,

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
+import io.github.knotresolver.measure.LengthStatistics;
 import io.github.knotresolver.measure.OriginalQuantities;
 import io.github.knotresolver.model.Calibration;
 

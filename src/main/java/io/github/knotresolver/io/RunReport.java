@@ -7,6 +7,9 @@ import java.util.Map;
 import java.util.SortedSet;
 import java.util.TreeSet;
 
+import io.github.knotresolver.measure.LengthStatistics;
+import io.github.knotresolver.measure.MeasuredFilament;
+import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.FrameStatus;

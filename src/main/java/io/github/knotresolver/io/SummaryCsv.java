@@ -9,6 +9,8 @@ import java.util.function.ToDoubleFunction;
 import org.apache.commons.csv.CSVPrinter;
 
 import io.github.knotresolver.measure.DominantFrequency;
+import io.github.knotresolver.measure.LengthStatistics;
+import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.options.InputOptions;
 
@@ -49,7 +51,7 @@ public final class SummaryCsv {
 				NumberText.significant(s.sd()), NumberText.significant(s.min()),
 				NumberText.significant(s.max()), result.calibration().unit(),
 				text(f, DominantFrequency::frequency), text(f, DominantFrequency::standardError),
-				text(f, DominantFrequency::falseAlarmProbability), result.frequencyUnit(),
+				text(f, DominantFrequency::falseAlarmProbability), result.calibration().frequencyUnit(),
 				ProgramVersion.get(), ParametersJson.line(tracks, input),
 				tracks.filaments().size());
 		}

@@ -201,11 +201,6 @@ public final class MovieMeasurements {
 		return quantity.unit(calibration, rigidity);
 	}
 
-	/** @return unit of frequencies: {@code Hz}, or {@code 1/unit of time} */
-	public String frequencyUnit() {
-		return calibration.timeUnit().equals("s") ? "Hz" : "1/" + calibration.timeUnit();
-	}
-
 	/**
 	 * @param quantity what
 	 * @return its spectrum over time

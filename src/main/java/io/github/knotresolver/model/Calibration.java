@@ -31,4 +31,9 @@ public record Calibration(double pixelSize, String unit, double frameInterval, S
 	public boolean hasTimeUnit() {
 		return !timeUnit.equals(NONE.timeUnit);
 	}
+
+	/** @return unit of frequencies: {@code Hz}, or {@code 1/unit of time} */
+	public String frequencyUnit() {
+		return timeUnit.equals("s") ? "Hz" : "1/" + timeUnit;
+	}
 }

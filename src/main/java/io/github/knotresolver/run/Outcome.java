@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.RunIdentity;
 import io.github.knotresolver.io.RunReport;
+import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.options.InputOptions;
 
 /**

@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.Optional;
 
 import io.github.knotresolver.io.CorrectionsCsv;
-import io.github.knotresolver.io.MeasuredTracks;
 import io.github.knotresolver.io.RunIdentity;
+import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.UserException;

@@ -16,7 +16,7 @@ import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.imagej.ResultDisplay;
 import io.github.knotresolver.imagej.RoiConverter;
 import io.github.knotresolver.imagej.TestImages;
-import io.github.knotresolver.io.MeasuredTracks;
+import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.model.Anchor;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Movie;

@@ -24,7 +24,7 @@ import ij.io.RoiDecoder;
 import ij.io.RoiEncoder;
 import ij.measure.ResultsTable;
 import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.io.MeasuredTracks;
+import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;

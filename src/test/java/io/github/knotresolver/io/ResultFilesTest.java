@@ -23,6 +23,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.model.Anchor;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.FilamentTrack;

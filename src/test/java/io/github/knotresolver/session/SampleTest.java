@@ -21,7 +21,7 @@ import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.imagej.SampleMovie;
 import io.github.knotresolver.io.ContoursCsv;
-import io.github.knotresolver.io.MeasuredTracks;
+import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;

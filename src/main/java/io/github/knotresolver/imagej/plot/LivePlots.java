@@ -48,7 +48,7 @@ public final class LivePlots {
 	public static Plot spectrum(final MovieMeasurements m, final Quantity quantity) {
 		final Spectrum spectrum = m.spectrum(quantity);
 		final Plot plot = new Plot(m.name() + "-" + quantity.key() + "-spectrum",
-			ChartStyle.label("Frequency", m.frequencyUnit()),
+			ChartStyle.label("Frequency", m.calibration().frequencyUnit()),
 			ChartStyle.label(quantity.label() + ", amplitude", m.unit(quantity)));
 		plot.setColor(ChartStyle.LINE);
 		plot.add("line", spectrum.frequency(), spectrum.amplitude());

@@ -7,11 +7,11 @@ import java.util.List;
 import java.util.Locale;
 
 import io.github.knotresolver.io.FilamentMeasurements;
-import io.github.knotresolver.io.MeasuredFilament;
 import io.github.knotresolver.io.MeasurementTables;
 import io.github.knotresolver.io.OriginalFiles;
 import io.github.knotresolver.io.OriginalStatistics;
 import io.github.knotresolver.io.ResultFolder;
+import io.github.knotresolver.measure.MeasuredFilament;
 import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.measure.Quantity;
 import io.github.knotresolver.model.UserException;
@@ -62,7 +62,7 @@ public final class MeasurementFolder {
 			if (original)
 				OriginalStatistics.write(
 					folder.path().resolve(OriginalFiles.STATISTICS.replace(".", suffix + ".")),
-					f.originalQuantities(), m.calibration(), m.frequencyUnit());
+					f.originalQuantities(), m.calibration(), m.calibration().frequencyUnit());
 			if (plots)
 				Figures.write(pictures, suffix, m, progress);
 		}
@@ -90,7 +90,7 @@ public final class MeasurementFolder {
 			m.dominantFrequency(Quantity.TIP_ANGLE)
 				.map(d -> String.format(Locale.ROOT,
 					"Tip angle: %.3g ± %.1g %s, false-alarm probability %.2g%s.", d.frequency(),
-					d.standardError(), m.frequencyUnit(), d.falseAlarmProbability(),
+					d.standardError(), m.calibration().frequencyUnit(), d.falseAlarmProbability(),
 					d.isSignificant() ? "" : " (may be noise)"))
 				.orElse("Tip angle: too few frames for a frequency."));
 	}

@@ -39,7 +39,7 @@ final class SpectrumChart {
 		final XYSeries series = new XYSeries("spectrum");
 		for (int k = 0; k < spectrum.size(); k++)
 			series.add(spectrum.frequency()[k], spectrum.amplitude()[k]);
-		final NumberAxis x = ChartStyle.axis("Frequency", m.frequencyUnit());
+		final NumberAxis x = ChartStyle.axis("Frequency", m.calibration().frequencyUnit());
 		final NumberAxis y = ChartStyle.axis(quantity.label() + ", amplitude", m.unit(quantity));
 		x.setRange(0, spectrum.frequency()[spectrum.size() - 1]);
 		y.setAutoRangeIncludesZero(true);
@@ -71,6 +71,6 @@ final class SpectrumChart {
 
 	private static String text(final DominantFrequency d, final MovieMeasurements m) {
 		return String.format(Locale.ROOT, " %.3g \u00b1 %.1g %s, p = %.2g ", d.frequency(),
-			d.standardError(), m.frequencyUnit(), d.falseAlarmProbability());
+			d.standardError(), m.calibration().frequencyUnit(), d.falseAlarmProbability());
 	}
 }

@@ -20,7 +20,7 @@ import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.CorrectionsCsv;
 import io.github.knotresolver.io.FramesCsv;
-import io.github.knotresolver.io.MeasuredTracks;
+import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;

@@ -1,4 +1,4 @@
-package io.github.knotresolver.io;
+package io.github.knotresolver.measure;
 
 import java.util.List;
 
@@ -28,7 +28,7 @@ public record LengthStatistics(double mean, double median, double sd, double min
 	 * @param lengths lengths; those that are NaN do not count
 	 * @return their statistics
 	 */
-	static LengthStatistics ofLengths(final double[] lengths) {
+	public static LengthStatistics ofLengths(final double[] lengths) {
 		final DescriptiveStatistics s = new DescriptiveStatistics();
 		for (final double length : lengths)
 			if (!Double.isNaN(length))

@@ -1,10 +1,9 @@
-package io.github.knotresolver.io;
+package io.github.knotresolver.measure;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-import io.github.knotresolver.measure.DominantFrequency;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Tracks;
@@ -59,10 +58,5 @@ public record MeasuredTracks(Tracks tracks, List<MeasuredFilament> filaments) {
 	 */
 	public Optional<DominantFrequency> dominantFrequency() {
 		return filaments.size() == 1 ? filaments.get(0).dominantFrequency() : Optional.empty();
-	}
-
-	/** @return unit of frequencies: {@code Hz}, or {@code 1/unit of time} */
-	String frequencyUnit() {
-		return calibration().timeUnit().equals("s") ? "Hz" : "1/" + calibration().timeUnit();
 	}
 }

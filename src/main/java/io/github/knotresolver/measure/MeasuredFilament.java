@@ -1,4 +1,4 @@
-package io.github.knotresolver.io;
+package io.github.knotresolver.measure;
 
 import java.util.List;
 import java.util.Locale;
@@ -6,11 +6,6 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.measure.ContourGeometry;
-import io.github.knotresolver.measure.DominantFrequency;
-import io.github.knotresolver.measure.MovieMeasurements;
-import io.github.knotresolver.measure.Quantity;
-import io.github.knotresolver.measure.Rigidity;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Observation;

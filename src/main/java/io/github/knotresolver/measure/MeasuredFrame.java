@@ -1,12 +1,9 @@
-package io.github.knotresolver.io;
+package io.github.knotresolver.measure;
 
 import java.util.Arrays;
 import java.util.Optional;
 
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.measure.ContourGeometry;
-import io.github.knotresolver.measure.FrameMeasurement;
-import io.github.knotresolver.measure.Quantity;
 import io.github.knotresolver.model.Observation;
 
 /**
