@@ -1,6 +1,7 @@
 package io.github.knotresolver.imagej;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
 
@@ -20,6 +21,7 @@ import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.run.Outcome;
 import io.github.knotresolver.run.ResultSink;
 
@@ -57,13 +59,25 @@ public final class FolderSink implements ResultSink {
 		RoiSetWriter.write(file(RoiSetWriter.FILE), source.rois().rois(result.tracks()));
 		progress.report("Drawing", 0);
 		final Pictures pictures = new Pictures(folder.path());
-		Together.run(() -> writeOverlay(result.tracks(), pictures, progress),
+		together(() -> writeOverlay(result.tracks(), pictures, progress),
 			() -> writeFigures(result, pictures, progress));
 		progress.checkCancelled();
 		ParametersJson.write(file(ParametersJson.FILE), result.tracks(), outcome.input(),
 			outcome.identity(), pictures.notes());
 		folder.commit();
 		return pictures.notes();
+	}
+
+	/** Does independent work at the same time, as far as there are threads. */
+	private static void together(final Task... tasks) throws IOException {
+		try {
+			Workers.present().map(tasks.length, i -> {
+				tasks[i].run();
+				return i;
+			});
+		} catch (final UncheckedIOException e) {
+			throw e.getCause();
+		}
 	}
 
 	private Path file(final String name) {
@@ -118,6 +132,21 @@ public final class FolderSink implements ResultSink {
 				Figures.write(pictures, suffix, filament.measurements().get(), progress);
 			else
 				Figures.writeKymographs(pictures, suffix, filament.measurements().get());
+		}
+	}
+
+	/** Work that may fail on the disk. */
+	@FunctionalInterface
+	private interface Task {
+
+		void write() throws IOException;
+
+		default void run() {
+			try {
+				write();
+			} catch (final IOException e) {
+				throw new UncheckedIOException(e);
+			}
 		}
 	}
 }

@@ -1,9 +1,7 @@
-
 package io.github.knotresolver.imagej;
 
 import java.awt.GraphicsEnvironment;
 import java.io.ByteArrayOutputStream;
-import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.Callable;
@@ -23,8 +21,6 @@ import io.github.knotresolver.progress.Progress;
 final class QuietImageJ {
 
 	private static final int LOOK_MILLISECONDS = 50;
-	/** Of all threads that read, and of those that they start. */
-	private static final ThreadGroup READERS = new ThreadGroup("Readers of movies");
 
 	/**
 	 * @param <T> what the work gives
@@ -44,28 +40,23 @@ final class QuietImageJ {
 	 * @return what it gave and printed
 	 * @throws Exception what the work threw
 	 */
-	static synchronized <T> Outcome<T> call(final Callable<T> work, final Progress progress)
-		throws Exception {
+	static <T> Outcome<T> call(final Callable<T> work, final Progress progress) throws Exception {
 		if (!GraphicsEnvironment.isHeadless())
 			return new Outcome<>(patiently(work, progress), "");
-		final PrintStream out = System.out, err = System.err;
 		final ByteArrayOutputStream printed = new ByteArrayOutputStream();
-		final PrintStream catcher = new PrintStream(printed, true, StandardCharsets.UTF_8);
-		System.setOut(new OfGroup(READERS, catcher, out));
-		System.setErr(new OfGroup(READERS, catcher, err));
-		try {
-			final T value = patiently(work, progress);
+		try (PrintStream own = new PrintStream(printed, true, StandardCharsets.UTF_8)) {
+			final T value = patiently(() -> {
+				ThreadPrinting.to(own);
+				return work.call();
+			}, progress);
 			return new Outcome<>(value, printed.toString(StandardCharsets.UTF_8));
-		} finally {
-			System.setOut(out);
-			System.setErr(err);
 		}
 	}
 
 	private static <T> T patiently(final Callable<T> work, final Progress progress)
 		throws Exception {
 		final FutureTask<T> task = new FutureTask<>(work);
-		final Thread reader = new Thread(READERS, task, "Reading a movie");
+		final Thread reader = new Thread(task, "Reading a movie");
 		reader.setDaemon(true);
 		reader.start();
 		try {
@@ -84,36 +75,6 @@ final class QuietImageJ {
 			throw (Exception) e.getCause();
 		} finally {
 			reader.interrupt();
-		}
-	}
-
-	/** Catches what the threads of a group print, and lets through what others do. */
-	private static final class OfGroup extends PrintStream {
-
-		OfGroup(final ThreadGroup group, final PrintStream caught, final PrintStream others) {
-			super(new OutputStream() {
-
-				private PrintStream present() {
-					return group.parentOf(Thread.currentThread().getThreadGroup())
-						? caught
-						: others;
-				}
-
-				@Override
-				public void write(final int b) {
-					present().write(b);
-				}
-
-				@Override
-				public void write(final byte[] bytes, final int offset, final int length) {
-					present().write(bytes, offset, length);
-				}
-
-				@Override
-				public void flush() {
-					present().flush();
-				}
-			}, true, StandardCharsets.UTF_8);
 		}
 	}
 }

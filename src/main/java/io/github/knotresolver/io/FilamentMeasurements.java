@@ -10,6 +10,7 @@ import io.github.knotresolver.measure.OriginalQuantities;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
 
 /**
  * Measurements of one filament.
@@ -32,9 +33,12 @@ public record FilamentMeasurements(ContourInput contours, MovieMeasurements meas
 	public static List<FilamentMeasurements> of(final List<ContourInput> filaments,
 		final MeasureOptions options, final Progress progress) {
 		final List<FilamentMeasurements> all = new ArrayList<>();
-		for (final ContourInput contours : filaments)
-			if (filaments.size() == 1 || isMeasurable(contours))
-				all.add(new FilamentMeasurements(contours, options.measure(contours, progress)));
+		try (Workers workers = Workers.ofThisComputer()) {
+			for (final ContourInput contours : filaments)
+				if (filaments.size() == 1 || isMeasurable(contours))
+					all.add(new FilamentMeasurements(contours,
+						workers.during(() -> options.measure(contours, progress))));
+		}
 		if (all.isEmpty())
 			throw new UserException("None of the " + filaments.size()
 				+ " filaments has a contour that is long enough to be measured.");

@@ -4,13 +4,16 @@ package io.github.knotresolver.measure;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
 
 /**
  * All frames of a movie, measured with one smoothing. Frames without a contour,
@@ -24,6 +27,8 @@ public final class MovieMeasurements {
 	private final Rigidity rigidity;
 	private final List<FrameMeasurement> frames;
 	private final List<Quantity> spectra;
+	/** Found when first asked for: tables, plots and the report ask again. */
+	private final Map<Quantity, Optional<DominantFrequency>> frequencies = new ConcurrentHashMap<>();
 
 	private MovieMeasurements(final String name, final Calibration calibration,
 		final Smoothing smoothing, final Rigidity rigidity, final List<FrameMeasurement> frames,
@@ -109,24 +114,24 @@ public final class MovieMeasurements {
 		final Smoothing smoothing = wanted.orElseGet(
 			() -> Smoothing.derivedFrom(contoursPx.stream().flatMap(Optional::stream).toList(), c));
 		progress.report("Measuring", 0);
-		final List<Optional<SmoothedContour>> smoothed = IntStream.range(0, contoursPx.size())
-			.parallel().mapToObj(i -> {
-				progress.checkCancelled();
-				return contoursPx.get(i).filter(ContourGeometry::isMeasurable)
-					.map(p -> SmoothedContour.of(p, c, smoothing));
-			}).toList();
+		final Workers workers = Workers.present();
+		final List<Optional<SmoothedContour>> smoothed = workers.map(contoursPx.size(), i -> {
+			progress.checkCancelled();
+			return contoursPx.get(i).filter(ContourGeometry::isMeasurable)
+				.map(p -> SmoothedContour.of(p, c, smoothing));
+		});
 		final ErrorModel errors = ErrorModel
 			.learn(smoothed.stream().flatMap(Optional::stream).toList(), smoothing.order());
-		final List<Optional<ContourGeometry>> geometries = smoothed.parallelStream().map(s -> {
+		final List<Optional<ContourGeometry>> geometries = workers.map(smoothed.size(), i -> {
 			progress.checkCancelled();
-			return s.map(k -> new ContourGeometry(k, smoothing, c.pixelSize(), errors));
-		}).toList();
+			return smoothed.get(i)
+				.map(k -> new ContourGeometry(k, smoothing, c.pixelSize(), errors));
+		});
 		final int[] turns = Turns.between(geometries);
-		final List<FrameMeasurement> frames = IntStream.range(0, geometries.size()).parallel()
-			.mapToObj(i -> geometries.get(i)
+		final List<FrameMeasurement> frames = workers.map(geometries.size(),
+			i -> geometries.get(i)
 				.map(g -> FrameMeasurement.of(i + 1, g, turns[i], rigidity, lengthError))
-				.orElseGet(() -> FrameMeasurement.missing(i + 1)))
-			.toList();
+				.orElseGet(() -> FrameMeasurement.missing(i + 1)));
 		progress.report("Measuring", 1);
 		return new MovieMeasurements(name, c, smoothing, rigidity, frames,
 			List.of(Quantity.TIP_ANGLE));
@@ -215,7 +220,8 @@ public final class MovieMeasurements {
 	 *         not vary
 	 */
 	public Optional<DominantFrequency> dominantFrequency(final Quantity quantity) {
-		return DominantFrequency.of(series(quantity), calibration.frameInterval());
+		return frequencies.computeIfAbsent(quantity,
+			q -> DominantFrequency.of(series(q), calibration.frameInterval()));
 	}
 
 	/** @return tangent angle over arc length and time, radians */

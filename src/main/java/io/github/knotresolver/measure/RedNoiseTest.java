@@ -4,8 +4,7 @@ package io.github.knotresolver.measure;
 import java.util.Arrays;
 import java.util.Random;
 
-import io.github.knotresolver.progress.Cancellation;
-import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
 
 /**
  * Does a peak stand out of noise with memory? The null hypothesis is a
@@ -39,10 +38,9 @@ final class RedNoiseTest {
 		final Random random = new Random(SEED);
 		final TimeSeries[] noise = new TimeSeries[SIMULATIONS];
 		Arrays.setAll(noise, i -> simulated(rho, random));
-		final Progress present = Cancellation.present();
-		final long asHigh = Arrays.stream(noise).parallel()
-			.filter(s -> Cancellation.during(present, () -> prominence(s.detrended()) >= observed))
-			.count();
+		final long asHigh = Workers.present()
+			.map(SIMULATIONS, i -> prominence(noise[i].detrended()) >= observed).stream()
+			.filter(higher -> higher).count();
 		return (asHigh + 1) / (SIMULATIONS + 1.0);
 	}
 

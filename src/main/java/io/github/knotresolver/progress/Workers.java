@@ -13,13 +13,18 @@ import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
 /**
- * Threads for work on many frames. Results come in the order of the tasks, so
- * that they do not depend on the number of threads.
+ * Threads for work on many frames: all that work on a movie come from here, as many as
+ * {@code --threads} says. Results come in the order of the tasks, so that they do not depend
+ * on the number of threads.
+ * <p>
+ * Work that knows nothing of who asked for it, such as a measurement, takes {@link #present()}.
  */
 public final class Workers implements AutoCloseable {
 
 	/** No threads of its own: all work is done by the thread that asks. */
 	public static final Workers HERE = new Workers();
+
+	private static final ThreadLocal<Workers> PRESENT = ThreadLocal.withInitial(() -> HERE);
 
 	private final Optional<ExecutorService> executor;
 
@@ -36,6 +41,38 @@ public final class Workers implements AutoCloseable {
 			thread.setDaemon(true);
 			return thread;
 		}));
+	}
+
+	/** @return as many threads as this computer does at a time, for work without {@code --threads} */
+	public static Workers ofThisComputer() {
+		return new Workers(Runtime.getRuntime().availableProcessors());
+	}
+
+	/**
+	 * Does work in this thread; all of it that asks for {@link #present()} gets these.
+	 *
+	 * @param <T> what it gives
+	 * @param <E> how it may fail
+	 * @param work the work
+	 * @return what it gives
+	 * @throws E if it fails
+	 */
+	public <T, E extends Exception> T during(final Cancellation.Work<T, E> work) throws E {
+		final Workers before = PRESENT.get();
+		PRESENT.set(this);
+		try {
+			return work.run();
+		} finally {
+			PRESENT.set(before);
+		}
+	}
+
+	/**
+	 * @return the threads of this thread's work; {@link #HERE} if there are none, and in the
+	 *         threads themselves, so that none waits for another
+	 */
+	public static Workers present() {
+		return PRESENT.get();
 	}
 
 	/**

@@ -11,9 +11,11 @@ import io.github.knotresolver.io.RunIdentity;
 import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
 
 /**
  * The use case: options and a movie are read, the movie is resolved, the result
@@ -96,11 +98,15 @@ public final class ResolveRun {
 			final Optional<RunIdentity> identity = sink == ResultSink.NONE
 				? Optional.empty()
 				: RunIdentity.of(file, texts, progress);
-			final MeasuredTracks result = MeasuredTracks
-				.of(engine.resolve(movie, settings, progress).noted(notes), progress);
-			final List<String> leftOut = sink
-				.write(new Outcome(result, options.input(), identity, List.of()), progress);
-			return new Outcome(result, options.input(), identity, leftOut);
+			final Tracks tracks = engine.resolve(movie, settings, progress).noted(notes);
+			try (Workers workers = new Workers(settings.threads())) {
+				return workers.during(() -> {
+					final MeasuredTracks result = MeasuredTracks.of(tracks, progress);
+					final List<String> leftOut = sink
+						.write(new Outcome(result, options.input(), identity, List.of()), progress);
+					return new Outcome(result, options.input(), identity, leftOut);
+				});
+			}
 		}
 	}
 }
