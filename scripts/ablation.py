@@ -22,16 +22,17 @@ CONDITIONS = (("drift10_L20_d25", 8), ("base_L15_d50", 8))
 SCENES = (("glide5", 5),)
 INTRODUCTION = """# Tuning constants
 
-What the method is tuned by, room by room: each number with its unit, what it is, why it has its value, and what becomes of
-the result if it is halved or doubled. `scripts/ablation` writes this page: it changes one constant at a time, resolves
-{movies}, and scores them against the truth.
-
-*halved* and *doubled*: percentage of filament-frames in which a contour lies on the true one, whichever way it runs, and in
-brackets of contours that lie on none with a confidence above 0.9; as the constants are, it is **{base}**. `=` says that no contour changed at all: these movies do not need the constant.
-`fails` says that the program does not work so. A blank cell was not measured. Shares and cosines are doubled to 1 at most.
+What the method is tuned by, room by room: each number with its unit, what it is, and why it has its value. `scripts/ablation`
+writes this page from the classes named `...Tuning`.
 
 *px* are pixels where a pixel is meant; a *line width* is the standard deviation of the line's profile; a *noise sigma* the
 standard deviation of what is measured where there is no line; *strands* is brightness in units of a single strand's.
+"""
+ABLATION = """
+`scripts/ablation` also halves and doubles one constant at a time, resolves {movies}, and scores them against the truth.
+*halved* and *doubled*: percentage of filament-frames in which a contour lies on the true one, whichever way it runs, and in
+brackets of contours that lie on none with a confidence above 0.9; as the constants are, it is **{base}**. `=` says that no contour changed at all: these movies do not need the constant.
+`fails` says that the program does not work so. A blank cell was not measured. Shares and cosines are doubled to 1 at most.
 """
 
 
@@ -145,16 +146,20 @@ def figures(got):
 
 
 def table():
-    measured = json.loads(MEASURED.read_text())
+    measured = json.loads(MEASURED.read_text()) if MEASURED.exists() else {}
     names = ", ".join(f"{n} ({c} frames)" for n, c in CONDITIONS + SCENES)
-    text = INTRODUCTION.format(movies=f"short movies of `scripts/benchmark`: {names}", base=figures(measured["base"]))
+    text = INTRODUCTION
+    if measured:
+        text += ABLATION.format(movies=f"short movies of `scripts/benchmark`: {names}", base=figures(measured["base"]))
     room = None
     for c in constants():
         if c.room != room:
             room = c.room
-            text += f"\n## `{room}`\n\n| constant | value | unit | what, and why | halved | doubled |\n|---|---:|---|---|---:|---:|\n"
-        halved, doubled = (cell(measured, c.key(f)) for f in FACTORS)
-        text += f"| `{c.name}` | {c.value} | {c.unit} | {c.what} *Why:* {c.why} | {halved} | {doubled} |\n"
+            text += f"\n## `{room}`\n\n| constant | value | unit | what, and why |" + (" halved | doubled |" if measured else "")
+            text += "\n|---|---:|---|---|" + ("---:|---:|" if measured else "") + "\n"
+        text += f"| `{c.name}` | {c.value} | {c.unit} | {c.what} *Why:* {c.why} |"
+        text += "".join(f" {cell(measured, c.key(f))} |" for f in FACTORS) if measured else ""
+        text += "\n"
     DOCUMENT.write_text(text)
 
 

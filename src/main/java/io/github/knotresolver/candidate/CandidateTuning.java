@@ -2,7 +2,7 @@ package io.github.knotresolver.candidate;
 
 /**
  * The numbers by which a graph becomes trails. Turns are 1 for a right angle and 2 for a
- * reversal. {@code docs/constants.md} says what halving and doubling each does.
+ * reversal. {@code scripts/ablation} measures what halving and doubling each does.
  */
 final class CandidateTuning {
 

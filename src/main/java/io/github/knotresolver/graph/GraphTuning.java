@@ -2,8 +2,8 @@ package io.github.knotresolver.graph;
 
 /**
  * The numbers by which a skeleton becomes a graph. They are pixels because a skeleton is: one
- * pixel wide, whatever the line was. {@code docs/constants.md} says what halving and doubling
- * each does.
+ * pixel wide, whatever the line was. {@code scripts/ablation} measures what halving and
+ * doubling each does.
  */
 public final class GraphTuning {
 

@@ -2,7 +2,7 @@ package io.github.knotresolver.mask;
 
 /**
  * The numbers by which a frame becomes a mask. Grey values are those of the stretched frame, 0
- * to 1. {@code docs/constants.md} says what halving and doubling each does.
+ * to 1. {@code scripts/ablation} measures what halving and doubling each does.
  */
 final class MaskTuning {
 

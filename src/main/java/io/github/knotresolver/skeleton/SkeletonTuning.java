@@ -3,7 +3,7 @@ package io.github.knotresolver.skeleton;
 /**
  * The numbers by which evidence becomes lines. A line width is the standard deviation of the
  * line's profile, a noise sigma the standard deviation of the ridge strength where there is no
- * line. {@code docs/constants.md} says what halving and doubling each does.
+ * line. {@code scripts/ablation} measures what halving and doubling each does.
  */
 final class SkeletonTuning {
 
