@@ -62,7 +62,7 @@ final class ResolveSubcommand implements Callable<Integer> {
 		final ImageSource source = Usage.of(spec, this::source);
 		final Outcome outcome;
 		try (ResultFolder folder = Usage.of(spec,
-			() -> ResultFolder.reserve(out, ResultKind.RESOLUTION, force, run.files(source)))) {
+			() -> ResultFolder.reserve(out, ResultKind.RESOLVED_MOVIE, force, run.files(source)))) {
 			final ResolveRun.Work work = Usage.of(spec, () -> run.read(source, progress));
 			outcome = work.resolve(engine, new FolderSink(folder, source, plots), progress);
 		}

@@ -36,7 +36,6 @@ import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.io.RunReport;
 import io.github.knotresolver.measure.MeasuredTracks;
-import io.github.knotresolver.model.Region;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.RunOptions;
@@ -258,7 +257,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 
 	private Outcome intoFolder(final ResolveRun run, final ImageSource source,
 		final Progress progress) throws IOException {
-		try (ResultFolder folder = ResultFolder.reserve(out.toPath(), ResultKind.RESOLUTION, force,
+		try (ResultFolder folder = ResultFolder.reserve(out.toPath(), ResultKind.RESOLVED_MOVIE, force,
 			run.files(source))) {
 			return run.read(source, progress).resolve(engine, new FolderSink(folder, source, plots),
 				progress);

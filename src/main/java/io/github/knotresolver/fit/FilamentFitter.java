@@ -15,7 +15,7 @@ import io.github.knotresolver.progress.Cancellation;
  * Σ rho(I - M) + stiffness Σ Δθ² / h + clampWeight |P0 - clamp|² + memory h Σ |θ - θ_predicted|²
  * </pre>
  *
- * A step costs O(length) for the picture and O(links) for a banded system; where strands add
+ * A step takes O(length) for the picture and O(links) for a banded system; where strands add
  * up, or the length is fitted, far nodes are coupled and the system is dense, O(links³). Keeps scratch memory: one thread at a time.
  */
 public final class FilamentFitter {

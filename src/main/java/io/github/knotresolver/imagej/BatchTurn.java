@@ -118,7 +118,7 @@ final class BatchTurn {
 		final Map<String, String> texts = new TreeMap<>(batch.defaults());
 		texts.put(THREADS, Integer.toString(threads));
 		final ResolveRun run = ResolveRun.of(row.over(texts));
-		try (ResultFolder folder = ResultFolder.reserve(target, ResultKind.RESOLUTION,
+		try (ResultFolder folder = ResultFolder.reserve(target, ResultKind.RESOLVED_MOVIE,
 			batch.overwrite(), inputs)) {
 			final ImageSource source = ImageSource.of(row.file());
 			return run.read(source, progress).resolve(batch.engine(),

@@ -24,7 +24,7 @@ import io.github.knotresolver.measure.Quantity;
 public enum ResultKind {
 
 	/** What {@code resolve} and {@code batch} write. */
-	RESOLUTION("a resolved movie", "options", Names.FIGURES + "|"
+	RESOLVED_MOVIE("a resolved movie", "options", Names.FIGURES + "|"
 		+ "RoiSet\\.zip|overlay\\.(tif|avi|png)|montage(-\\d{2,})?\\.png|MTdata(-\\d{2,})?\\.csv|statsSummary(-\\d{2,})?\\.txt",
 		"contours.csv", "frames.csv", "filaments.csv", "summary.csv"),
 

@@ -103,7 +103,7 @@ public record RunIdentity(Path movie, String sha256, String version, Map<String,
 	 * @return what its result was made from; empty if it does not tell
 	 */
 	public static Optional<RunIdentity> read(final Path folder) {
-		if (ResultKind.of(folder).filter(k -> k == ResultKind.RESOLUTION).isEmpty())
+		if (ResultKind.of(folder).filter(k -> k == ResultKind.RESOLVED_MOVIE).isEmpty())
 			return Optional.empty();
 		try {
 			final JsonObject json = JsonParser

@@ -45,7 +45,7 @@ public final class SceneResolver {
 	}
 
 	/**
-	 * Resolves a movie. The cost is linear in frames and filaments, but for those that touch.
+	 * Resolves a movie. Linear in frames and filaments, but for those that touch.
 	 *
 	 * @param frames the frames to resolve, in order of time, at least one
 	 * @param anchor whether filaments are held at one end

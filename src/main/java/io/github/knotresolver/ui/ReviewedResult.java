@@ -85,7 +85,7 @@ public final class ReviewedResult implements AutoCloseable {
 
 	private static RunIdentity identity(final Path folder, final Path absolute,
 		final Progress progress) throws IOException {
-		if (ResultKind.of(absolute).filter(k -> k == ResultKind.RESOLUTION).isEmpty())
+		if (ResultKind.of(absolute).filter(k -> k == ResultKind.RESOLVED_MOVIE).isEmpty())
 			throw new UserException("result " + folder
 				+ " is no folder that 'resolve' wrote; name one that holds contours.csv and parameters.json.");
 		final RunIdentity identity = RunIdentity.read(absolute)
@@ -212,7 +212,7 @@ public final class ReviewedResult implements AutoCloseable {
 		words.ifPresent(w -> texts.put(CORRECTIONS, w.toString()));
 		final ResolveRun run = ResolveRun.of(texts);
 		final boolean plots = hasPlots();
-		try (ResultFolder out = ResultFolder.reserve(target, ResultKind.RESOLUTION, overwrite,
+		try (ResultFolder out = ResultFolder.reserve(target, ResultKind.RESOLVED_MOVIE, overwrite,
 			run.files(source))) {
 			run.read(source, progress).resolve(
 				(again, settings, p) -> settings.equals(tracks.settings())

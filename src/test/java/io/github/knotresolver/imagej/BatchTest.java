@@ -53,7 +53,7 @@ class BatchTest {
 			final ImageSource source = ImageSource.of(row.file());
 			try (ResultFolder folder = ResultFolder.reserve(
 				home.resolve("single").resolve(row.name().replace(".tif", "")),
-				ResultKind.RESOLUTION, false, List.of())) {
+				ResultKind.RESOLVED_MOVIE, false, List.of())) {
 				run.read(source, Progress.NONE).resolve(Engine.PIPELINE,
 					new FolderSink(folder, source, false), Progress.NONE);
 			}

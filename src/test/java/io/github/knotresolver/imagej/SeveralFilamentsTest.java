@@ -210,7 +210,7 @@ class SeveralFilamentsTest {
 				new long[]{TestImages.WIDTH - 1, TestImages.HEIGHT - 1, FRAMES - 1});
 		final ImageSource source = ImageSource.of(image);
 		final Outcome outcome;
-		try (ResultFolder folder = ResultFolder.reserve(out, ResultKind.RESOLUTION, false,
+		try (ResultFolder folder = ResultFolder.reserve(out, ResultKind.RESOLVED_MOVIE, false,
 			List.of())) {
 			outcome = ResolveRun.of(Map.of()).read(source, Progress.NONE).resolve(
 				(movie, settings, progress) -> tracks(
@@ -257,7 +257,7 @@ class SeveralFilamentsTest {
 	private MeasuredTracks write(final boolean plots, final List<FilamentTrack> filaments)
 		throws IOException {
 		final ImageSource source = ImageSource.of(image);
-		try (ResultFolder folder = ResultFolder.reserve(out, ResultKind.RESOLUTION, false,
+		try (ResultFolder folder = ResultFolder.reserve(out, ResultKind.RESOLVED_MOVIE, false,
 			List.of())) {
 			return ResolveRun.of(Map.of()).read(source, Progress.NONE)
 				.resolve((movie, settings, progress) -> tracks = tracks(movie, settings, filaments),

@@ -129,7 +129,7 @@ class ResultFolderTest {
 	@EnumSource(ResultKind.class)
 	void neverReplacesAResultOfAnotherKind(final ResultKind kind) throws IOException {
 		write("old", false);
-		if (kind == ResultKind.RESOLUTION)
+		if (kind == ResultKind.RESOLVED_MOVIE)
 			return;
 		final String refusal = assertThrows(RuntimeException.class,
 			() -> ResultFolder.reserve(out, kind, true, List.of())).getMessage();
@@ -151,7 +151,7 @@ class ResultFolderTest {
 		assertEquals("corrections", Files.readString(input));
 		// An input that would not be replaced may lie there.
 		final Path movie = Files.writeString(out.resolve("movie.tif"), "pixels");
-		try (ResultFolder folder = ResultFolder.reserve(out, ResultKind.RESOLUTION, true,
+		try (ResultFolder folder = ResultFolder.reserve(out, ResultKind.RESOLVED_MOVIE, true,
 			List.of(movie))) {
 			fill(folder, "new");
 			folder.commit();
@@ -377,7 +377,7 @@ class ResultFolderTest {
 	}
 
 	private ResultFolder reserve(final boolean force) throws IOException {
-		return ResultFolder.reserve(out, ResultKind.RESOLUTION, force, List.of());
+		return ResultFolder.reserve(out, ResultKind.RESOLVED_MOVIE, force, List.of());
 	}
 
 	private static void fill(final ResultFolder folder, final String text) throws IOException {
@@ -387,7 +387,7 @@ class ResultFolderTest {
 
 	private String refusal(final boolean force, final Path... inputs) {
 		return assertThrows(UserException.class,
-			() -> ResultFolder.reserve(out, ResultKind.RESOLUTION, force, List.of(inputs)).close())
+			() -> ResultFolder.reserve(out, ResultKind.RESOLVED_MOVIE, force, List.of(inputs)).close())
 			.getMessage();
 	}
 }

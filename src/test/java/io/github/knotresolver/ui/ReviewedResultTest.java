@@ -53,7 +53,7 @@ class ReviewedResultTest {
 		texts.putAll(more);
 		final ImageSource source = ImageSource.of(movie);
 		final ResolveRun run = ResolveRun.of(texts);
-		try (ResultFolder folder = ResultFolder.reserve(out, ResultKind.RESOLUTION, false,
+		try (ResultFolder folder = ResultFolder.reserve(out, ResultKind.RESOLVED_MOVIE, false,
 			run.files(source))) {
 			run.read(source, Progress.NONE).resolve(Engine.PIPELINE,
 				new FolderSink(folder, source, false), Progress.NONE);

@@ -31,7 +31,7 @@ import io.github.knotresolver.simulate.Trajectory;
  * parameters and scores them.
  * <p>
  * The same seed gives the same result, whatever the number of threads. Cost:
- * twelve simulations to find the motion; then a simulation and a resolution for
+ * twelve simulations to find the motion; then a simulation and its contours for
  * every movie.
  */
 public final class LikeStudy {
