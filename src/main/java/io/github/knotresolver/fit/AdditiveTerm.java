@@ -65,9 +65,9 @@ final class AdditiveTerm implements ImageTerm {
 		double sum = 0;
 		for (int b = 0; b < bandSize; b++) {
 			final int at = band[b];
-			final double residual = pixels[at] - model[at];
+			final double residual = frame.residual(at, model[at]);
 			sum += robust.price(residual) - robust.price(pixels[at]);
-			if (system != null)
+			if (system != null && !frame.hides(at, model[at]))
 				addPixel(at, residual, system);
 			model[at] = 0;
 			head[at] = -1;

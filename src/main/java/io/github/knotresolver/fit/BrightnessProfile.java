@@ -99,6 +99,8 @@ final class BrightnessProfile {
 				continue;
 			final double value = (example.frame().pixels()[i] - line.background())
 				/ line.amplitude();
+			if (isCutOff(example.frame(), i, line, pictures))
+				continue;
 			for (int k = 0; k < knots; k++) {
 				if (pictures[k][i] == 0)
 					continue;
@@ -107,6 +109,16 @@ final class BrightnessProfile {
 					matrix[k][m] += pictures[k][i] * pictures[m][i];
 			}
 		}
+	}
+
+	/** Whether a line as it is expected is cut off somewhere. */
+	private static boolean isCutOff(final NormalizedFrame frame, final int at, final Estimate line,
+		final double[][] pictures) {
+		double uniform = 0;
+		for (final double[] picture : pictures)
+			uniform += picture[at];
+		return line.model().kind() == LineModel.Kind.ADDITIVE
+			&& frame.hides(at, line.background() + line.amplitude() * uniform);
 	}
 
 	private static boolean noticeable(final double[] profile) {

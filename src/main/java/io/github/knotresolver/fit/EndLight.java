@@ -71,7 +71,7 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 
 	/** @return length of a piece in pixels */
 	public double piece() {
-		return Math.max(3, PIECE * model.sigma());
+		return Math.max(3, PIECE * model.in(frame).sigma());
 	}
 
 	/**
@@ -166,7 +166,7 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 		private final double expected;
 
 		Window(final Point end, final Chain chain) {
-			final int reach = (int) Math.ceil(EndLight.this.piece() + model.reach() + 1);
+			final int reach = (int) Math.ceil(EndLight.this.piece() + model.in(frame).reach() + 1);
 			left = inside(end.x() - reach, frame.width());
 			top = inside(end.y() - reach, frame.height());
 			final int right = inside(end.x() + reach, frame.width());
@@ -195,10 +195,14 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 				final double own = model.kind() == LineModel.Kind.ADDITIVE
 					? picture[i]
 					: Math.max(0, picture[i] - drawn[i]);
+				// A pixel that was cut off below what is expected does not say how bright it is.
+				if (model.kind() == LineModel.Kind.ADDITIVE
+					&& part.hides(i, drawn[i] + own * expected))
+					continue;
 				light += own * (part.pixels()[i] - drawn[i]);
 				norm += own * own;
 			}
-			return norm < LEAST_SEEN * length * model.sigma()
+			return norm < LEAST_SEEN * length * model.in(frame).sigma()
 				? new Piece(0, 0, angle)
 				: new Piece(light / norm / expected, light / (noise * Math.sqrt(norm)), angle);
 		}

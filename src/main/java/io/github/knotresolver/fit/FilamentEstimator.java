@@ -76,7 +76,7 @@ public final class FilamentEstimator {
 			.map(kind -> learn(seen, kind, workers, progress)).toList();
 		return learned.stream().filter(Learned::isLine)
 			.filter(l -> kinds.size() == 1 || l.isPlausible())
-			.min(Comparator.comparingDouble(l -> l.line.residual())).map(Learned::summary);
+			.min(Comparator.comparingDouble(l -> l.line.unexplained())).map(Learned::summary);
 	}
 
 	/** A line and the curves that were fitted with it. */

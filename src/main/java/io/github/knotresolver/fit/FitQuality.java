@@ -31,7 +31,7 @@ public record FitQuality(double misfit, double dark) {
 		double sum = 0;
 		for (int i = 0; i < picture.length; i++)
 			if (near[i])
-				sum += Robust.ALONE.price(frame.pixels()[i] - picture[i]);
+				sum += Robust.ALONE.price(frame.residual(i, picture[i], model));
 		return new FitQuality(sum / chain.length(), dark(frame, model, chain));
 	}
 
@@ -47,7 +47,8 @@ public record FitQuality(double misfit, double dark) {
 				|| middleY > frame.height() - 1)
 				continue;
 			inside++;
-			if (frame.meanAround(middleX, middleY) >= DARK * brightness[i])
+			if (frame.meanAround(middleX, middleY) >= DARK * brightness[i]
+				|| frame.isClipped(middleX, middleY))
 				bright++;
 		}
 		return inside == 0 ? 1 : 1 - (double) bright / inside;

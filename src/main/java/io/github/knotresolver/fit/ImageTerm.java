@@ -36,12 +36,12 @@ interface ImageTerm {
 
 	/**
 	 * @param frame the frame
-	 * @param model what a line looks like
+	 * @param model what a line looks like in a frame in focus
 	 * @param links number of links of the chains to come
 	 * @return the term for the model's kind
 	 */
 	static ImageTerm of(final NormalizedFrame frame, final LineModel model, final int links) {
-		return of(frame, new LineTables(model, Robust.ALONE), links,
+		return of(frame, new LineTables(model.in(frame), Robust.ALONE), links,
 			model.kind() == LineModel.Kind.ADDITIVE
 				? new double[0]
 				: new double[frame.pixels().length]);

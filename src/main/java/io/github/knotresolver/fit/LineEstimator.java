@@ -21,6 +21,9 @@ public final class LineEstimator {
 	private static final double LARGEST_POWER = 6;
 	private static final int MOST_EVALUATIONS = 120;
 
+	/** Rounds in which it is settled which of the pixels that were cut off are too bright. */
+	private static final int CLIPPED_ROUNDS = 6;
+
 	private LineEstimator() {
 	}
 
@@ -64,16 +67,26 @@ public final class LineEstimator {
 	 * @param background of the neighbourhood of the curves, in the same units
 	 * @param residual mean squared residual of the neighbourhood, in units of the
 	 *          amplitude squared
+	 * @param unexplained the same as a share of the variance of the neighbourhood's pixels, by
+	 *          which lines of different amplitudes can be compared
 	 */
-	public record Estimate(LineModel model, double amplitude, double background, double residual) {
+	public record Estimate(LineModel model, double amplitude, double background, double residual,
+		double unexplained) {
 
 		/** @return whether the line differs from its background at all */
 		boolean isVisible() {
 			return Double.isFinite(amplitude) && amplitude != 0;
 		}
 
+		/** As long as nothing is known of the amplitude, all pixels that were cut off are. */
+		private boolean isHidden(final NormalizedFrame frame, final int at, final double picture) {
+			return Double.isNaN(residual)
+				? frame.isClipped() && frame.pixels()[at] > frame.ceiling()[at]
+				: frame.hides(at, amplitude * picture + background);
+		}
+
 		Estimate withModel(final LineModel other) {
-			return new Estimate(other, amplitude, background, residual);
+			return new Estimate(other, amplitude, background, residual, unexplained);
 		}
 	}
 
@@ -93,7 +106,7 @@ public final class LineEstimator {
 		final double[] guess = additive ? new double[]{sigma} : new double[]{sigma, 1.5};
 		final double[] spread = additive ? new double[]{0.3} : new double[]{0.3, 0.4};
 		final double[] best = new SimplexSearch(1e-4, 1e-6, MOST_EVALUATIONS, progress)
-			.lowest(p -> fit(examples, model(kind, p)).residual + outside(p), guess, spread);
+			.lowest(p -> fit(examples, model(kind, p)).unexplained + outside(p), guess, spread);
 		return fit(examples, model(kind, best));
 	}
 
@@ -121,12 +134,33 @@ public final class LineEstimator {
 	 * @return the estimate
 	 */
 	public static Estimate fit(final List<Example> examples, final LineModel model) {
-		double n = 0, sumM = 0, sumI = 0, sumMM = 0, sumMI = 0, sumII = 0;
-		for (final Example example : examples) {
+		final List<double[]> pictures = examples.stream()
+			.map(e -> Neighbourhood.draw(e.frame(), model, e.chains())).toList();
+		// Where the line as it is known is cut off, pixels do not say how bright it is.
+		Estimate line = fit(examples, pictures,
+			new Estimate(model, 1, 0, Double.NaN, Double.NaN));
+		if (model.kind() == LineModel.Kind.ADDITIVE
+			&& examples.stream().anyMatch(e -> e.frame.isClipped()))
+			for (int round = 0; round < CLIPPED_ROUNDS && line.isVisible(); round++)
+				line = fit(examples, pictures, line);
+		return line;
+	}
+
+	private static Estimate fit(final List<Example> examples, final List<double[]> pictures,
+		final Estimate known) {
+		final boolean believes = known.model.kind() != LineModel.Kind.ADDITIVE;
+		double all = 0, sumAll = 0, squareAll = 0, n = 0, sumM = 0, sumI = 0, sumMM = 0, sumMI = 0, sumII = 0;
+		for (int k = 0; k < pictures.size(); k++) {
+			final Example example = examples.get(k);
 			final double[] pixels = example.frame.pixels();
-			final double[] picture = Neighbourhood.draw(example.frame(), model, example.chains());
+			final double[] picture = pictures.get(k);
 			for (int i = 0; i < picture.length; i++)
 				if (example.near[i]) {
+					all++;
+					sumAll += pixels[i];
+					squareAll += pixels[i] * pixels[i];
+					if (!believes && known.isHidden(example.frame, i, picture[i]))
+						continue;
 					n++;
 					sumM += picture[i];
 					sumI += pixels[i];
@@ -138,7 +172,7 @@ public final class LineEstimator {
 		final double covariance = sumMI - sumM * sumI / n, variance = sumMM - sumM * sumM / n;
 		final double amplitude = covariance / variance;
 		final double rest = sumII - sumI * sumI / n - amplitude * covariance;
-		return new Estimate(model, amplitude, (sumI - amplitude * sumM) / n,
-			rest / n / (amplitude * amplitude));
+		return new Estimate(known.model, amplitude, (sumI - amplitude * sumM) / n,
+			rest / all / (amplitude * amplitude), rest / (squareAll - sumAll * sumAll / all));
 	}
 }

@@ -69,6 +69,13 @@ public record LineModel(Kind kind, double sigma, double power, double[] brightne
 		return new LineModel(kind, sigma, power, values);
 	}
 
+	/** @return the same line in a frame in which it is so many times as wide */
+	LineModel in(final NormalizedFrame frame) {
+		return frame.widening() == 1
+			? this
+			: new LineModel(kind, sigma * frame.widening(), power, brightness);
+	}
+
 	/** @return the same line, run from its tip to its fixed end */
 	LineModel reversed() {
 		final double[] values = new double[brightness.length];

@@ -10,13 +10,78 @@ import io.github.knotresolver.image.PixelNoise;
  * @param width in pixels
  * @param height in pixels
  * @param pixels row by row, {@code width * height} values; not to be changed
+ * @param ceiling for every pixel the brightness above which it does not say how bright what
+ *          shone there was, since brighter ones were cut off; empty if none was
+ * @param widening how many times as wide as usual lines are in it, above 0: it may be out of
+ *          focus
  */
-public record NormalizedFrame(int width, int height, double[] pixels) {
+public record NormalizedFrame(int width, int height, double[] pixels, double[] ceiling,
+	double widening) {
+
+	private static final double[] NONE = {};
+
+	/**
+	 * A frame in focus, of which nothing was cut off.
+	 *
+	 * @param width in pixels
+	 * @param height in pixels
+	 * @param pixels row by row, {@code width * height} values; not to be changed
+	 */
+	public NormalizedFrame(final int width, final int height, final double[] pixels) {
+		this(width, height, pixels, NONE, 1);
+	}
 
 	public NormalizedFrame {
 		if (pixels.length != width * height)
 			throw new IllegalArgumentException("A frame of " + width + " x " + height
 				+ " pixels has " + pixels.length + " values.");
+		if (ceiling.length != 0 && ceiling.length != pixels.length)
+			throw new IllegalArgumentException("A frame of " + pixels.length
+				+ " pixels has a ceiling of " + ceiling.length + ".");
+	}
+
+	/**
+	 * @param heights for every pixel where it is cut off; not to be changed
+	 * @return the same frame of which it is known
+	 */
+	public NormalizedFrame withCeiling(final double[] heights) {
+		return new NormalizedFrame(width, height, pixels, heights, widening);
+	}
+
+	/**
+	 * @param times how many times as wide as usual lines are, above 0
+	 * @return the same frame of which it is known
+	 */
+	public NormalizedFrame withWidening(final double times) {
+		return new NormalizedFrame(width, height, pixels, ceiling, times);
+	}
+
+	/** @return whether pixels were cut off anywhere in it */
+	public boolean isClipped() {
+		return ceiling.length > 0;
+	}
+
+	/** @return whether the pixel at a place in the frame was cut off */
+	boolean isClipped(final double x, final double y) {
+		final int at = (int) Math.rint(y) * width + (int) Math.rint(x);
+		return isClipped() && pixels[at] >= ceiling[at];
+	}
+
+	/** @return whether a pixel does not say how bright what is drawn there is */
+	boolean hides(final int at, final double drawn) {
+		return ceiling.length > 0 && drawn > ceiling[at];
+	}
+
+	/** @return what the picture of lines that add up leaves of a pixel */
+	double residual(final int at, final double drawn) {
+		return hides(at, drawn) ? Math.min(0, pixels[at] - ceiling[at]) : pixels[at] - drawn;
+	}
+
+	/** @return what the picture of a line leaves; one that saturates is itself cut off */
+	double residual(final int at, final double drawn, final LineModel model) {
+		return model.kind() == LineModel.Kind.ADDITIVE
+			? residual(at, drawn)
+			: pixels[at] - drawn;
 	}
 
 	/**
@@ -28,7 +93,10 @@ public record NormalizedFrame(int width, int height, double[] pixels) {
 		final double[] scaled = new double[pixels.length];
 		for (int i = 0; i < scaled.length; i++)
 			scaled[i] = (pixels[i] - background) / amplitude;
-		return new NormalizedFrame(width, height, scaled);
+		final double[] heights = ceiling.clone();
+		for (int i = 0; i < heights.length; i++)
+			heights[i] = (ceiling[i] - background) / amplitude;
+		return new NormalizedFrame(width, height, scaled, heights, widening);
 	}
 
 	/**
@@ -43,7 +111,7 @@ public record NormalizedFrame(int width, int height, double[] pixels) {
 		final double[] blurred = new double[pixels.length];
 		for (int i = 0; i < blurred.length; i++)
 			blurred[i] = out[i];
-		return new NormalizedFrame(width, height, blurred);
+		return new NormalizedFrame(width, height, blurred, ceiling, widening);
 	}
 
 	/**
@@ -59,7 +127,10 @@ public record NormalizedFrame(int width, int height, double[] pixels) {
 		final double[] part = new double[columns * rows];
 		for (int r = 0; r < rows; r++)
 			System.arraycopy(pixels, (top + r) * width + left, part, r * columns, columns);
-		return new NormalizedFrame(columns, rows, part);
+		final double[] cut = isClipped() ? new double[columns * rows] : NONE;
+		for (int r = 0; r < rows && isClipped(); r++)
+			System.arraycopy(ceiling, (top + r) * width + left, cut, r * columns, columns);
+		return new NormalizedFrame(columns, rows, part, cut, widening);
 	}
 
 	/** @return the {@link PixelNoise} of the frame */

@@ -48,8 +48,8 @@ public record Residue(double unexplained, double invented, double pattern) {
 		final float[] residual = new float[picture.length];
 		for (int i = 0; i < picture.length; i++)
 			residual[i] = (float) Math.max(-OUTLIER * 2,
-				Math.min(OUTLIER * 2, frame.pixels()[i] - picture[i]));
-		final double sigma = Math.max(1, model.sigma());
+				Math.min(OUTLIER * 2, frame.residual(i, picture[i], model)));
+		final double sigma = Math.max(1, model.in(frame).sigma());
 		final float[] blurred = GaussianBlur.blur(residual, frame.width(), sigma);
 		final double threshold = Math.max(SEEN, NOISES * noise / (2 * Math.sqrt(Math.PI) * sigma));
 		final boolean[] near = Neighbourhood.of(frame, chain, NEAR),

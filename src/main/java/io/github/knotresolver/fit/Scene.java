@@ -177,7 +177,8 @@ public final class Scene {
 		int count = 0;
 		for (int row = Math.max(0, y - 1); row <= Math.min(light.height() - 1, y + 1); row++)
 			for (int c = Math.max(0, x - 1); c <= Math.min(light.width() - 1, x + 1); c++) {
-				sum += light.pixels()[row * light.width() + c] - picture[row * light.width() + c];
+				sum += light.residual(row * light.width() + c, picture[row * light.width() + c],
+					line.model());
 				count++;
 			}
 		return count == 0 ? 0 : sum / count;

@@ -26,10 +26,12 @@ import io.github.knotresolver.track.FrameView;
  * contrast stretch. Where a single strand already reaches the ceiling, strands that
  * cross cannot be brighter.
  *
+ * @param ceiling the largest value of the pixels looked at; of dark lines, the smallest's
+ *          negative
  * @param share the share of the pixels looked at that pile up at their largest value
  * @param most the share up to which the movie is not clipped
  */
-record Clipping(double share, double most) {
+record Clipping(double ceiling, double share, double most) {
 
 	/** More pixels have the largest value than come within this share of the range below it. */
 	private static final double BELOW = 0.1;
@@ -42,8 +44,7 @@ record Clipping(double share, double most) {
 
 	/** Looks at all pixels of some frames. */
 	static Clipping of(final Movie movie, final List<Integer> frames) {
-		return new Clipping(
-			share(frames.stream().map(frame -> Pixels.doubles(movie.frame(frame - 1))).toList()),
+		return of(frames.stream().map(frame -> Pixels.doubles(movie.frame(frame - 1))).toList(),
 			CLIPPED);
 	}
 
@@ -56,8 +57,7 @@ record Clipping(double share, double most) {
 	 */
 	static Clipping along(final Movie movie, final List<FrameView> frames,
 		final WorkingPixels pixels) {
-		return new Clipping(
-			share(frames.stream().map(frame -> crests(movie, frame, pixels)).toList()),
+		return of(frames.stream().map(frame -> crests(movie, frame, pixels)).toList(),
 			CLIPPED_LENGTH);
 	}
 
@@ -93,7 +93,7 @@ record Clipping(double share, double most) {
 		return largest;
 	}
 
-	private static double share(final List<double[]> values) {
+	private static Clipping of(final List<double[]> values, final double most) {
 		double largest = Double.NEGATIVE_INFINITY, smallest = Double.POSITIVE_INFINITY;
 		for (final double[] frame : values)
 			for (final double value : frame) {
@@ -111,7 +111,7 @@ record Clipping(double share, double most) {
 				else if (value >= below)
 					justBelow++;
 			}
-		return at > justBelow ? (double) at / pixels : 0;
+		return new Clipping(largest, at > justBelow ? (double) at / pixels : 0, most);
 	}
 
 	boolean isClipped() {

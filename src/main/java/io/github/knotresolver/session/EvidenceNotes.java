@@ -70,7 +70,7 @@ final class EvidenceNotes {
 				+ " separate lines in most frames; which of them is a filament is decided by how they move.");
 		if (clipping.isClipped())
 			notes.add(String.format(Locale.ROOT,
-				"Saturated: %.0f %% of the lines' length has the largest brightness; strands that cross are taken to be no brighter than one.",
+				"Saturated: %.0f %% of the lines' length has the largest brightness; how bright what was cut off is follows from what surrounds it.",
 				100 * clipping.share()));
 		if (blank > 0)
 			notes.add("Blank frames: " + blank + ", dark or bright throughout, "

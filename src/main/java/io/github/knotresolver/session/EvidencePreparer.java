@@ -67,7 +67,38 @@ final class EvidencePreparer {
 		final List<String> late = EvidenceNotes.late(lit, lost.size(), clipping);
 		late.forEach(progress::note);
 		notes.addAll(late);
-		return new PreparedMovie(lit, pixels, lost, clipping.kinds(), notes);
+		return new PreparedMovie(
+			clipping.isClipped()
+				? workers.map(lit.size(), t -> withCeiling(lit.get(t), box, clipping))
+				: lit,
+			pixels, lost, clipping.kinds(), notes);
+	}
+
+	/**
+	 * The frame, of which it is known above what brightness it does not say more: less its
+	 * noise, since noise is cut off, too.
+	 */
+	private FrameView withCeiling(final FrameView view, final Box box, final Clipping clipping) {
+		final LineAppearance a = view.evidence().orElseThrow().appearance();
+		final double noise = view.light().noise();
+		final float[] part = box.of(binned(view.frame(), a.binning()),
+			movie.width() / a.binning());
+		final double[] ceiling = new double[part.length];
+		for (int i = 0; i < ceiling.length; i++)
+			// Light is the pixel above its background.
+			ceiling[i] = Float.isFinite(part[i])
+				? clipping.ceiling() - a.polarity().sign() * part[i] + view.light().pixels()[i]
+					- noise
+				: Double.POSITIVE_INFINITY;
+		return view.withCeiling(ceiling);
+	}
+
+	private float[] binned(final int frame, final int binning) {
+		final double[] values = Pixels.doubles(movie.frame(frame - 1));
+		final float[] pixels = new float[values.length];
+		for (int i = 0; i < pixels.length; i++)
+			pixels[i] = (float) values[i];
+		return Binning.mean(pixels, movie.width(), binning);
 	}
 
 	private FrameView view(final int frame, final FrameEvidence whole, final Box box) {
@@ -78,12 +109,7 @@ final class EvidencePreparer {
 	/** The frame above its background, bright lines whatever the polarity. */
 	private NormalizedFrame light(final int frame, final FrameEvidence evidence, final Box box) {
 		final LineAppearance a = evidence.appearance();
-		final double[] values = Pixels.doubles(movie.frame(frame - 1));
-		final float[] pixels = new float[values.length];
-		for (int i = 0; i < pixels.length; i++)
-			pixels[i] = (float) values[i];
-		final float[] binned = Binning.mean(pixels, movie.width(), a.binning());
-		final float[] part = box.of(binned, movie.width() / a.binning());
+		final float[] part = box.of(binned(frame, a.binning()), movie.width() / a.binning());
 		final boolean[] lines = Dilation.square(Pixels.bits(evidence.mask()), evidence.width(),
 			(int) Math.ceil(HALO * a.workingSigma()));
 		final float[] background = Background.of(part, box.width(), lines);

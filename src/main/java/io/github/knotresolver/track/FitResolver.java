@@ -140,8 +140,13 @@ public final class FitResolver {
 		final OptionalDouble length) {
 		final AnchorPath ends = AnchorPath.follow(frames, fixedEnd, progress);
 		final List<CandidateSet> first = candidates(frames, ends::at, t -> OptionalDouble.empty());
-		final StrandLight strands = StrandLight.of(frames, first);
-		final List<FrameView> steady = withoutBleaching(calmed(frames, strands), strands);
+		final List<FrameView> focused = Focus.known(frames, first);
+		final StrandLight strands = StrandLight.of(focused, first);
+		final List<FrameView> calmed = calmed(focused, strands);
+		// Where focus wanders, every frame has been brought to the same brightness.
+		final List<FrameView> steady = focused == frames
+			? withoutBleaching(calmed, strands)
+			: calmed;
 		final List<Sighting> sightings = Sightings.choose(steady, first);
 		return sightings.isEmpty()
 			? Optional.empty()
@@ -189,7 +194,11 @@ public final class FitResolver {
 	private Optional<FilamentEstimate> estimate(final List<Sighting> sightings,
 		final Point fixedEnd, final OptionalDouble length) {
 		progress.report("Learning what the filament looks like", 0);
-		return FilamentEstimator.estimate(sightings, kinds, workers, progress)
+		// Of what was cut off it is known where: lines that add up can be told, too.
+		final Set<LineModel.Kind> possible = sightings.stream().anyMatch(s -> s.frame().isClipped())
+			? EnumSet.allOf(LineModel.Kind.class)
+			: kinds;
+		return FilamentEstimator.estimate(sightings, possible, workers, progress)
 			.map(e -> length.isPresent() ? e.withLength(length.getAsDouble()) : e)
 			.map(e -> e.fixedEnd().distanceTo(fixedEnd) > GraphTuning.NEAR_CLAMP
 				? e.withFixedEnd(fixedEnd)

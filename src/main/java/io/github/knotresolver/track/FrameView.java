@@ -81,6 +81,24 @@ public record FrameView(int frame, NormalizedFrame light, Img<BitType> mask, Ske
 	}
 
 	/**
+	 * @param widening how many times as wide as usual lines are
+	 * @param brightness of a strand, which becomes 1
+	 * @return the same frame of which it is known
+	 */
+	FrameView focused(final double widening, final double brightness) {
+		return new FrameView(frame, light.rescaled(0, brightness).withWidening(widening), mask,
+			graph, evidence);
+	}
+
+	/**
+	 * @param ceiling for every pixel the brightness above which it was cut off
+	 * @return the same frame of which it is known
+	 */
+	public FrameView withCeiling(final double[] ceiling) {
+		return new FrameView(frame, light.withCeiling(ceiling), mask, graph, evidence);
+	}
+
+	/**
 	 * @param sigma of a Gaussian in pixels, above 0
 	 * @return the same frame with blurred light
 	 */

@@ -1,5 +1,6 @@
 package io.github.knotresolver.track;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -22,7 +23,9 @@ import io.github.knotresolver.progress.Workers;
 /**
  * The frames in which the filament lies open: one trail from a free end to a free end
  * explains all of its object and does not cross itself. There, a fit with both ends free
- * says where the clamp is and how long the filament is.
+ * says where the clamp is and how long the filament is. Where there is no such frame for long,
+ * those are taken in which the trail crosses itself, but runs along everything once: whichever
+ * way it goes at a crossing, its length is the same.
  *
  * @param seen the fits, in order of time
  */
@@ -33,6 +36,9 @@ record OpenFrames(List<Seen> seen) {
 
 	/** A fit whose length differs more (relative) from its trail's has gone astray. */
 	private static final double ASTRAY = 0.5;
+
+	/** Without an open frame in so many, crossed ones are taken. */
+	private static final int LONG = 8;
 
 	/** A fit that runs in the dark for a larger share is none. */
 	private static final double DARK = 0.15;
@@ -66,9 +72,37 @@ record OpenFrames(List<Seen> seen) {
 		final List<CandidateSet> sets, final FilamentEstimate estimate, final Workers workers,
 		final Progress progress) {
 		final List<Optional<Seen>> seen = workers.map("Looking at open frames", progress,
-			frames.size(), t -> sets.get(t).candidates().stream().findFirst()
-				.filter(OpenFrames::isOpen).flatMap(c -> fitted(t, frames, light, c, estimate)));
-		return new OpenFrames(seen.stream().flatMap(Optional::stream).toList());
+			frames.size(), t -> clear(sets.get(t)).filter(c -> !isCrossed(c))
+				.flatMap(c -> fitted(t, frames, light, c, estimate)));
+		final boolean[] closed = inLongRun(seen);
+		final List<Optional<Seen>> more = workers.map("Looking at crossed frames", progress,
+			frames.size(),
+			t -> closed[t]
+				? clear(sets.get(t)).filter(OpenFrames::isCrossed)
+					.flatMap(c -> fitted(t, frames, light, c, estimate))
+				: seen.get(t));
+		return new OpenFrames(more.stream().flatMap(Optional::stream).toList());
+	}
+
+	private static Optional<Candidate> clear(final CandidateSet set) {
+		return set.candidates().stream().findFirst().filter(OpenFrames::isOpen);
+	}
+
+	private static boolean isCrossed(final Candidate c) {
+		return !Crossings.of(ContourBuilder.smooth(c)).isEmpty();
+	}
+
+	/** For every frame whether it is in a long run of frames in which nothing was seen. */
+	private static boolean[] inLongRun(final List<Optional<Seen>> seen) {
+		final boolean[] in = new boolean[seen.size()];
+		int first = 0;
+		for (int t = 0; t <= in.length; t++)
+			if (t == in.length || seen.get(t).isPresent()) {
+				if (t - first >= LONG)
+					Arrays.fill(in, first, t, true);
+				first = t + 1;
+			}
+		return in;
 	}
 
 	private static boolean isOpen(final Candidate best) {
@@ -80,8 +114,7 @@ record OpenFrames(List<Seen> seen) {
 	private static Optional<Seen> fitted(final int t, final List<FrameView> frames,
 		final List<NormalizedFrame> light, final Candidate best, final FilamentEstimate estimate) {
 		final Polyline contour = ContourBuilder.smooth(best);
-		if (contour.size() < 2 || contour.length() < 4 * estimate.model().sigma()
-			|| !Crossings.of(contour).isEmpty())
+		if (contour.size() < 2 || contour.length() < 4 * estimate.model().sigma())
 			return Optional.empty();
 		final NormalizedFrame frame = light.get(t);
 		final int links = FilamentEstimator.links(estimate.length());

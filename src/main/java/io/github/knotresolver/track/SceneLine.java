@@ -120,7 +120,7 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 
 	private static Estimate learn(final List<FrameView> frames, final LineModel.Kind kind,
 		final Progress progress) {
-		Estimate line = new Estimate(LineModel.uniform(kind, FIRST_SIGMA, 1), 1, 0, 1);
+		Estimate line = new Estimate(LineModel.uniform(kind, FIRST_SIGMA, 1), 1, 0, 1, 1);
 		for (int round = 0; round < ROUNDS; round++) {
 			final List<Example> examples = examples(frames, line);
 			if (examples.isEmpty())

@@ -69,7 +69,8 @@ record StrandLight(double[] light, boolean open) {
 		return ContourBuilder.smooth(candidate);
 	}
 
-	private static double of(final FrameView frame, final Polyline contour) {
+	/** The brightness of a single strand along a contour. */
+	static double of(final FrameView frame, final Polyline contour) {
 		final double[] light = new double[contour.size()];
 		for (int i = 0; i < light.length; i++)
 			light[i] = frame.light().meanAround(contour.x(i), contour.y(i));

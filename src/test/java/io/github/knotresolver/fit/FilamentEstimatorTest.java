@@ -4,9 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Random;
+import java.util.function.UnaryOperator;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -58,10 +60,30 @@ class FilamentEstimatorTest {
 		assertEquals(LENGTH, estimate.length(), 0.01 * LENGTH);
 	}
 
-	/** From contours as skeletons give them: short at both ends, and jagged. */
+	@Test
+	void whatTheCameraCutsOffDoesNotShortenAFilament() {
+		final double noise = 0.05, ceiling = 0.55;
+		final FilamentEstimate estimate = estimate(
+			LineModel.uniform(LineModel.Kind.ADDITIVE, 1.5, 1), noise, frame -> {
+				final double[] cut = Arrays.stream(frame.pixels()).map(v -> Math.min(ceiling, v))
+					.toArray(), height = new double[cut.length];
+				Arrays.fill(height, ceiling - noise);
+				return new NormalizedFrame(frame.width(), frame.height(), cut).withCeiling(height);
+			});
+		assertEquals(LineModel.Kind.ADDITIVE, estimate.model().kind());
+		assertEquals(1, estimate.amplitude(), 0.15);
+		assertEquals(LENGTH, estimate.length(), 0.005 * LENGTH);
+	}
+
 	private static FilamentEstimate estimate(final LineModel model) {
+		return estimate(model, 0.05, f -> f);
+	}
+
+	/** From contours as skeletons give them: short at both ends, and jagged. */
+	private static FilamentEstimate estimate(final LineModel model, final double noise,
+		final UnaryOperator<NormalizedFrame> camera) {
 		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(12, LENGTH, 0.7), List.of(),
-			model, 0.05, 11);
+			model, noise, 11);
 		final Random random = new Random(5);
 		final List<Sighting> sightings = new ArrayList<>();
 		for (int t = 0; t < drawn.truth().size(); t++) {
@@ -73,7 +95,7 @@ class FilamentEstimatorTest {
 				y[i] += 0.3 * random.nextGaussian();
 			}
 			final Polyline jagged = Polyline.of(x, y);
-			sightings.add(new Sighting(drawn.frame(t), jagged.divided(12)));
+			sightings.add(new Sighting(camera.apply(drawn.frame(t)), jagged.divided(12)));
 		}
 		try (Workers workers = new Workers(2)) {
 			return FilamentEstimator
