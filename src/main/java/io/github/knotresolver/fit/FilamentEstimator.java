@@ -48,6 +48,9 @@ public final class FilamentEstimator {
 	/** A profile with a smaller power is a Gaussian. */
 	private static final double FLAT = 1.06;
 
+	/** A clipped line explains all but this share of the pixels' variance, or is none that adds up. */
+	private static final double WELL = 0.15;
+
 	private static final double FIRST_SIGMA = 1.8;
 
 	private FilamentEstimator() {
@@ -88,10 +91,14 @@ public final class FilamentEstimator {
 
 		/**
 		 * A line that is not clipped and yet saturates is flat on top; where it is not, the
-		 * light is that of a lens, which adds up.
+		 * light is that of a lens, which adds up. What is above the ceiling of clipped frames is
+		 * believed only if all that is below is explained well.
 		 */
 		boolean isPlausible() {
-			return line.model().kind() == LineModel.Kind.ADDITIVE || line.model().power() > FLAT;
+			final boolean additive = line.model().kind() == LineModel.Kind.ADDITIVE;
+			return examples.get(0).frame().isClipped()
+				? !additive || line.unexplained() < WELL
+				: additive || line.model().power() > FLAT;
 		}
 
 		FilamentEstimate summary() {

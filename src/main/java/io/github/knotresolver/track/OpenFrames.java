@@ -15,6 +15,7 @@ import io.github.knotresolver.fit.FilamentFitter;
 import io.github.knotresolver.fit.FitQuality;
 import io.github.knotresolver.fit.FitSettings;
 import io.github.knotresolver.fit.NormalizedFrame;
+import io.github.knotresolver.fit.Residue;
 import io.github.knotresolver.geometry.Crossings;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.progress.Progress;
@@ -24,15 +25,21 @@ import io.github.knotresolver.progress.Workers;
  * The frames in which the filament lies open: one trail from a free end to a free end
  * explains all of its object and does not cross itself. There, a fit with both ends free
  * says where the clamp is and how long the filament is. Where there is no such frame for long,
- * those are taken in which the trail crosses itself, but runs along everything once: whichever
+ * those are taken in which the trail crosses itself and the fit explains all light: whichever
  * way it goes at a crossing, its length is the same.
  *
  * @param seen the fits, in order of time
  */
 record OpenFrames(List<Seen> seen) {
 
-	/** So much skeleton (pixels) may be left out or walked twice. */
+	/** So much skeleton (pixels) may be left out, or, of one that is open, walked twice. */
 	private static final double LEFT_OUT = 6, TWICE = 1;
+
+	/** Of a crossed one, this share of its length may be walked twice ... */
+	private static final double TWICE_CROSSED = 0.25;
+
+	/** ... if no more line than this share of its length is seen but not drawn or drawn but not seen. */
+	private static final double UNEXPLAINED = 0.03;
 
 	/** A fit whose length differs more (relative) from its trail's has gone astray. */
 	private static final double ASTRAY = 0.5;
@@ -50,8 +57,9 @@ record OpenFrames(List<Seen> seen) {
 	 * @param chain as fitted
 	 * @param fixedEndSeen whether its fixed end is in the picture
 	 * @param tipSeen whether its tip is
+	 * @param crossed whether it crosses itself, so that its shape may be wrong, but not its length
 	 */
-	record Seen(int index, Chain chain, boolean fixedEndSeen, boolean tipSeen) {
+	record Seen(int index, Chain chain, boolean fixedEndSeen, boolean tipSeen, boolean crossed) {
 
 		boolean isWhole() {
 			return fixedEndSeen && tipSeen;
@@ -72,24 +80,28 @@ record OpenFrames(List<Seen> seen) {
 		final List<CandidateSet> sets, final FilamentEstimate estimate, final Workers workers,
 		final Progress progress) {
 		final List<Optional<Seen>> seen = workers.map("Looking at open frames", progress,
-			frames.size(), t -> clear(sets.get(t)).filter(c -> !isCrossed(c))
+			frames.size(), t -> clear(sets.get(t)).filter(OpenFrames::isOpen)
 				.flatMap(c -> fitted(t, frames, light, c, estimate)));
 		final boolean[] closed = inLongRun(seen);
 		final List<Optional<Seen>> more = workers.map("Looking at crossed frames", progress,
 			frames.size(),
 			t -> closed[t]
-				? clear(sets.get(t)).filter(OpenFrames::isCrossed)
+				? clear(sets.get(t)).filter(c -> !isOpen(c))
 					.flatMap(c -> fitted(t, frames, light, c, estimate))
 				: seen.get(t));
 		return new OpenFrames(more.stream().flatMap(Optional::stream).toList());
 	}
 
+	/** The best trail if it runs from a free end to a free end and leaves nothing out. */
 	private static Optional<Candidate> clear(final CandidateSet set) {
-		return set.candidates().stream().findFirst().filter(OpenFrames::isOpen);
+		return set.candidates().stream().findFirst()
+			.filter(c -> c.price().uncovered() <= LEFT_OUT && !c.endsInside()
+				&& c.steps().get(0).from().isFreeEnd()
+				&& c.steps().get(c.steps().size() - 1).to().isFreeEnd());
 	}
 
-	private static boolean isCrossed(final Candidate c) {
-		return !Crossings.of(ContourBuilder.smooth(c)).isEmpty();
+	private static boolean isOpen(final Candidate c) {
+		return c.price().overlap() <= TWICE && Crossings.of(ContourBuilder.smooth(c)).isEmpty();
 	}
 
 	/** For every frame whether it is in a long run of frames in which nothing was seen. */
@@ -105,16 +117,13 @@ record OpenFrames(List<Seen> seen) {
 		return in;
 	}
 
-	private static boolean isOpen(final Candidate best) {
-		return best.price().uncovered() <= LEFT_OUT && best.price().overlap() <= TWICE
-			&& !best.endsInside() && best.steps().get(0).from().isFreeEnd()
-			&& best.steps().get(best.steps().size() - 1).to().isFreeEnd();
-	}
-
 	private static Optional<Seen> fitted(final int t, final List<FrameView> frames,
 		final List<NormalizedFrame> light, final Candidate best, final FilamentEstimate estimate) {
 		final Polyline contour = ContourBuilder.smooth(best);
 		if (contour.size() < 2 || contour.length() < 4 * estimate.model().sigma())
+			return Optional.empty();
+		final boolean crossed = !isOpen(best);
+		if (crossed && best.price().overlap() > TWICE_CROSSED * contour.length())
 			return Optional.empty();
 		final NormalizedFrame frame = light.get(t);
 		final int links = FilamentEstimator.links(estimate.length());
@@ -129,13 +138,16 @@ record OpenFrames(List<Seen> seen) {
 		if (Math.abs(chain.length() / contour.length() - 1) > ASTRAY
 			|| FitQuality.of(frame, estimate.model(), chain).dark() > DARK)
 			return Optional.empty();
+		final Residue left = Residue.of(frame, estimate.model(), chain);
+		if (crossed && left.unexplained() + left.invented() > UNEXPLAINED)
+			return Optional.empty();
 		return Optional.of(new Seen(t, chain, !FreeEnds.atBorder(frames.get(t), chain.start()),
-			!FreeEnds.atBorder(frames.get(t), chain.tip())));
+			!FreeEnds.atBorder(frames.get(t), chain.tip()), crossed));
 	}
 
-	/** The frames in which the fixed end was seen. */
+	/** The open frames in which the fixed end was seen. */
 	List<Seen> withFixedEnd() {
-		return seen.stream().filter(Seen::fixedEndSeen).toList();
+		return seen.stream().filter(s -> s.fixedEndSeen && !s.crossed).toList();
 	}
 
 	/** The frames in which both ends were seen. */
