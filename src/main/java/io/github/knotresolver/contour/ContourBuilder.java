@@ -5,14 +5,14 @@ import java.util.ArrayList;
 import java.util.List;
 
 import io.github.knotresolver.candidate.Candidate;
+import io.github.knotresolver.geometry.GaussianSmoothing;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.geometry.Smoothing;
 
 /** Makes contours of candidates. */
 public final class ContourBuilder {
 
-	/** Smoothing of corners at junctions, in pixels. */
+	/** GaussianSmoothing of corners at junctions, in pixels. */
 	private static final double SIGMA = 2;
 
 	private ContourBuilder() {
@@ -27,7 +27,7 @@ public final class ContourBuilder {
 	 */
 	public static Polyline smooth(final Candidate candidate) {
 		final Polyline even = candidate.path().resampled(1);
-		return even.size() > 2 ? Smoothing.gaussian(even, SIGMA).resampled(1) : even;
+		return even.size() > 2 ? GaussianSmoothing.gaussian(even, SIGMA).resampled(1) : even;
 	}
 
 	/**

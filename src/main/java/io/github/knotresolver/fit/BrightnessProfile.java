@@ -91,7 +91,7 @@ final class BrightnessProfile {
 		for (int k = 0; k < knots; k++) {
 			final double[] hat = new double[knots];
 			hat[k] = 1;
-			pictures[k] = Neighbourhood.draw(example.frame(), line.model().withBrightness(hat),
+			pictures[k] = ChainPixels.draw(example.frame(), line.model().withBrightness(hat),
 				example.chain());
 		}
 		for (int i = 0; i < example.near().length; i++) {

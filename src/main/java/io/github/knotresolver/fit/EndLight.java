@@ -172,7 +172,7 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 			final int right = inside(end.x() + reach, frame.width());
 			final int bottom = inside(end.y() + reach, frame.height());
 			part = frame.window(left, top, right - left + 1, bottom - top + 1);
-			drawn = Neighbourhood.draw(part, model, chain.shifted(-left, -top));
+			drawn = ChainPixels.draw(part, model, chain.shifted(-left, -top));
 			final double[] brightness = model.brightnessOfLinks(chain.links());
 			expected = brightness[brightness.length - 1];
 		}
@@ -187,7 +187,7 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 			final Polyline line = Polyline.of(List.of(new Point(from.x() - left, from.y() - top),
 				new Point(from.x() - left + length * Math.cos(angle),
 					from.y() - top + length * Math.sin(angle))));
-			final double[] picture = Neighbourhood.draw(part,
+			final double[] picture = ChainPixels.draw(part,
 				LineModel.uniform(model.kind(), model.sigma(), model.power()),
 				Chain.along(line, 2, length));
 			double light = 0, norm = 0;

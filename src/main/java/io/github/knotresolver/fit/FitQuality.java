@@ -26,8 +26,8 @@ public record FitQuality(double misfit, double dark) {
 	 */
 	public static FitQuality of(final NormalizedFrame frame, final LineModel model,
 		final Chain chain) {
-		final double[] picture = Neighbourhood.draw(frame, model, chain);
-		final boolean[] near = Neighbourhood.of(frame, chain, RADIUS);
+		final double[] picture = ChainPixels.draw(frame, model, chain);
+		final boolean[] near = ChainPixels.of(frame, chain, RADIUS);
 		double sum = 0;
 		for (int i = 0; i < picture.length; i++)
 			if (near[i])

@@ -49,7 +49,7 @@ public final class LineEstimator {
 		 * @param chains all its curves
 		 */
 		public Example(final NormalizedFrame frame, final List<Chain> chains) {
-			this(frame, chains, Neighbourhood.of(frame, chains, NEIGHBOURHOOD));
+			this(frame, chains, ChainPixels.of(frame, chains, NEIGHBOURHOOD));
 		}
 
 		/** @return the first curve */
@@ -135,7 +135,7 @@ public final class LineEstimator {
 	 */
 	public static Estimate fit(final List<Example> examples, final LineModel model) {
 		final List<double[]> pictures = examples.stream()
-			.map(e -> Neighbourhood.draw(e.frame(), model, e.chains())).toList();
+			.map(e -> ChainPixels.draw(e.frame(), model, e.chains())).toList();
 		// Where the line as it is known is cut off, pixels do not say how bright it is.
 		Estimate line = fit(examples, pictures,
 			new Estimate(model, 1, 0, Double.NaN, Double.NaN));

@@ -43,7 +43,7 @@ public record Residue(double unexplained, double invented, double pattern) {
 	 */
 	public static Residue of(final NormalizedFrame frame, final LineModel model,
 		final Chain chain) {
-		final double[] picture = Neighbourhood.draw(frame, model, chain);
+		final double[] picture = ChainPixels.draw(frame, model, chain);
 		final double noise = Math.max(LEAST_NOISE, frame.noise());
 		final float[] residual = new float[picture.length];
 		for (int i = 0; i < picture.length; i++)
@@ -52,8 +52,8 @@ public record Residue(double unexplained, double invented, double pattern) {
 		final double sigma = Math.max(1, model.in(frame).sigma());
 		final float[] blurred = GaussianBlur.blur(residual, frame.width(), sigma);
 		final double threshold = Math.max(SEEN, NOISES * noise / (2 * Math.sqrt(Math.PI) * sigma));
-		final boolean[] near = Neighbourhood.of(frame, chain, NEAR),
-			around = Neighbourhood.of(frame, chain, AROUND);
+		final boolean[] near = ChainPixels.of(frame, chain, NEAR),
+			around = ChainPixels.of(frame, chain, AROUND);
 		int more = 0, less = 0, count = 0;
 		double sum = 0;
 		for (int i = 0; i < picture.length; i++) {

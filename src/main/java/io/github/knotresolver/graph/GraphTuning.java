@@ -62,12 +62,6 @@ public final class GraphTuning {
 	 */
 	static final double TANGENT = 9;
 
-	/**
-	 * [px] From this sum over 3x3 pixels on, the middle one is a branch pixel. Why: a line has two
-	 * neighbours, a branch three; the published rule.
-	 */
-	static final int BRANCH_SUM = 4;
-
 	private GraphTuning() {
 	}
 }

@@ -1,9 +1,9 @@
 
 package io.github.knotresolver.graph;
 
+import io.github.knotresolver.geometry.GaussianSmoothing;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.geometry.Smoothing;
 
 /**
  * An edge of a {@link SkeletonGraph}: an ordered chain of pixels from its
@@ -30,7 +30,7 @@ public final class Segment {
 		this.source = source;
 		this.target = target;
 		this.chain = chain;
-		curve = chain.size() > 2 ? Smoothing.gaussian(chain, GraphTuning.STAIRCASE) : chain;
+		curve = chain.size() > 2 ? GaussianSmoothing.gaussian(chain, GraphTuning.STAIRCASE) : chain;
 		sourceTangent = tangent(curve);
 		targetTangent = tangent(curve.reversed());
 	}

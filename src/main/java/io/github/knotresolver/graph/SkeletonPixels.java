@@ -5,10 +5,11 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 
-import net.imglib2.Cursor;
 import net.imglib2.RandomAccessibleInterval;
 import net.imglib2.type.logic.BitType;
-import net.imglib2.view.Views;
+
+import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.skeleton.BranchPixels;
 
 /**
  * The pixels of a skeleton in scan order, with their branch rule. A pixel is
@@ -31,13 +32,8 @@ final class SkeletonPixels {
 					+ skeleton.numDimensions() + ".");
 		width = (int) skeleton.dimension(0);
 		height = (int) skeleton.dimension(1);
-		set = new boolean[width * height];
-		final Cursor<BitType> cursor = Views.flatIterable(skeleton).cursor();
-		for (int i = 0; i < set.length; i++)
-			set[i] = cursor.next().get();
-		branch = new boolean[set.length];
-		for (int i = 0; i < set.length; i++)
-			branch[i] = set[i] && neighbours(i, set).size() + 1 >= GraphTuning.BRANCH_SUM;
+		set = Pixels.bits(skeleton);
+		branch = Pixels.bits(BranchPixels.of(skeleton));
 	}
 
 	int x(final int pixel) {

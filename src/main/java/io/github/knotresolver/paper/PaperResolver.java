@@ -19,7 +19,7 @@ import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.track.FrameGraph;
-import io.github.knotresolver.track.Outcome;
+import io.github.knotresolver.track.Observations;
 import io.github.knotresolver.track.Resolver;
 import io.github.knotresolver.track.ResolverQuery;
 import io.github.knotresolver.track.Track;
@@ -54,9 +54,9 @@ public record PaperResolver(CandidateGenerator generator) implements Resolver {
 		final Optional<Polyline> template, final Progress progress) {
 		final Polyline correction = query.corrections().get(frame.frame());
 		if (correction != null)
-			return Outcome.corrected(frame, correction);
+			return Observations.corrected(frame, correction);
 		if (frame.graph().isEmpty())
-			return Outcome.lost(frame);
+			return Observations.lost(frame);
 		final SkeletonGraph graph = frame.graph().get();
 		if (graph.isUnbranched())
 			return new Observation(frame.frame(), FrameStatus.RESOLVED, "",
@@ -102,12 +102,12 @@ public record PaperResolver(CandidateGenerator generator) implements Resolver {
 			}
 		}
 		if (best == null)
-			return Outcome.withoutCandidates(frame);
+			return Observations.withoutCandidates(frame);
 		final double confidence = second > 0 && Double.isFinite(second)
 			? 1 - cost / second
 			: Double.isFinite(second) ? 0 : 1;
 		return new Observation(frame.frame(), FrameStatus.RESOLVED,
-			Outcome.limitReason(set.limited()), Optional.of(best), frame.junctions(),
+			Observations.limitReason(set.limited()), Optional.of(best), frame.junctions(),
 			set.candidates().size(), cost, confidence);
 	}
 }

@@ -12,9 +12,9 @@ import io.github.knotresolver.candidate.CandidateQuery;
 import io.github.knotresolver.candidate.SceneTrails;
 import io.github.knotresolver.candidate.TrailCandidates;
 import io.github.knotresolver.contour.ContourBuilder;
+import io.github.knotresolver.geometry.GaussianSmoothing;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.geometry.Smoothing;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.mask.ConnectedComponents;
@@ -32,7 +32,7 @@ import net.imglib2.type.logic.BitType;
 /** Makes of a frame's mask and skeleton what a person sees of them, in the movie's pixels. */
 record LookPlace(Movie movie, WorkingPixels pixels) {
 
-	/** Smoothing of a trail's corners, and the shortest trail that is shown, in pixels. */
+	/** GaussianSmoothing of a trail's corners, and the shortest trail that is shown, in pixels. */
 	private static final double SMOOTH = 2, SHORTEST = 8;
 
 	/** A contour ends in the open if it ends so near (pixels) to an end of the skeleton. */
@@ -89,7 +89,7 @@ record LookPlace(Movie movie, WorkingPixels pixels) {
 
 	private static Polyline smooth(final Polyline trail) {
 		final Polyline even = trail.resampled(1);
-		return even.size() > 2 ? Smoothing.gaussian(even, SMOOTH).resampled(1) : even;
+		return even.size() > 2 ? GaussianSmoothing.gaussian(even, SMOOTH).resampled(1) : even;
 	}
 
 	/** The light of a curve in units of that of the skeleton's usual pixel. */

@@ -36,7 +36,7 @@ final class FilamentMechanics {
 	private final LengthKeeper keeper;
 	private final double[] tension;
 
-	FilamentMechanics(final SimulationParameters p, final Chain chain, final double dt) {
+	FilamentMechanics(final SimulationParameters p, final SimulatedChain chain, final double dt) {
 		this.dt = dt;
 		kT = p.medium().thermalEnergy();
 		bending = p.rigidity() / (chain.link * chain.link * chain.link);
@@ -54,7 +54,7 @@ final class FilamentMechanics {
 	}
 
 	/** Moves the filament by one step of time. */
-	void step(final Chain chain, final List<Motor> bound, final Noise noise) {
+	void step(final SimulatedChain chain, final List<Motor> bound, final Noise noise) {
 		system.clear();
 		addDrag(chain, noise);
 		addBending(chain, noise);
@@ -75,14 +75,14 @@ final class FilamentMechanics {
 	}
 
 	/** Links that have turned are too long: one round of the chord method. */
-	private void correctLengths(final Chain chain) {
+	private void correctLengths(final SimulatedChain chain) {
 		system.clearRight();
 		for (int i = Math.max(1, held); i < chain.nodes(); i++)
 			system.addRight(3 * i + 2, chain.link - chain.distance(i - 1));
 		apply(chain, system.solve());
 	}
 
-	private void addDrag(final Chain chain, final Noise noise) {
+	private void addDrag(final SimulatedChain chain, final Noise noise) {
 		final int last = chain.nodes() - 1;
 		for (int i = 0; i <= last; i++) {
 			final double mobility = (i == 0 || i == last ? 0.5 : 1) * drag / dt;
@@ -94,7 +94,7 @@ final class FilamentMechanics {
 		}
 	}
 
-	private void addBending(final Chain chain, final Noise noise) {
+	private void addBending(final SimulatedChain chain, final Noise noise) {
 		final double kick = Math.sqrt(kT * bending);
 		for (int i = 1; i < chain.nodes() - 1; i++) {
 			addCurvature(chain.x, i, 0, kick * noise.gaussian());
@@ -117,7 +117,7 @@ final class FilamentMechanics {
 		system.addRight(c, force);
 	}
 
-	private void addSpring(final Chain chain, final Motor m, final Noise noise) {
+	private void addSpring(final SimulatedChain chain, final Motor m, final Noise noise) {
 		final int i = chain.linkAt(m.arc());
 		final double f = m.arc() / chain.link - i;
 		final double kick = Math.sqrt(kT * spring);
@@ -137,7 +137,7 @@ final class FilamentMechanics {
 	}
 
 	/** The unknown 3 i + 2 is the tension of the link that ends at node i. */
-	private void addLinks(final Chain chain) {
+	private void addLinks(final SimulatedChain chain) {
 		system.add(2, 2, -1);
 		for (int i = 1; i < chain.nodes(); i++) {
 			final int t = 3 * i + 2;
@@ -156,7 +156,7 @@ final class FilamentMechanics {
 		}
 	}
 
-	private static void apply(final Chain chain, final double[] solution) {
+	private static void apply(final SimulatedChain chain, final double[] solution) {
 		for (int i = 0; i < chain.nodes(); i++) {
 			chain.x[i] += solution[3 * i];
 			chain.y[i] += solution[3 * i + 1];

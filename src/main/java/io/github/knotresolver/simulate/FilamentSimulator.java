@@ -22,7 +22,7 @@ public final class FilamentSimulator {
 	private static final double TORN = 0.1;
 
 	private final SimulationParameters parameters;
-	private final Chain chain;
+	private final SimulatedChain chain;
 	private final Motors motors;
 	private final FilamentMechanics mechanics;
 	private final Noise noise;
@@ -36,7 +36,7 @@ public final class FilamentSimulator {
 	public FilamentSimulator(final SimulationParameters parameters) {
 		this.parameters = parameters;
 		final FilamentProperties filament = parameters.filament();
-		chain = new Chain(filament.links(), filament.length());
+		chain = new SimulatedChain(filament.links(), filament.length());
 		motors = new Motors(parameters.motors(), parameters.seed());
 		mechanics = new FilamentMechanics(parameters, chain, parameters.schedule().step());
 		noise = new Noise(~parameters.seed());
@@ -92,7 +92,7 @@ public final class FilamentSimulator {
 	}
 
 	/** @return the filament itself: a test may bend it */
-	Chain chain() {
+	SimulatedChain chain() {
 		return chain;
 	}
 

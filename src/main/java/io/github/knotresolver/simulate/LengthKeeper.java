@@ -32,7 +32,7 @@ final class LengthKeeper {
 	}
 
 	/** Gives every link its length. */
-	void restore(final Chain chain) {
+	void restore(final SimulatedChain chain) {
 		for (int round = 0; round < ROUNDS; round++)
 			if (measure(chain) < TOLERANCE)
 				return;
@@ -42,7 +42,7 @@ final class LengthKeeper {
 			}
 	}
 
-	private double measure(final Chain chain) {
+	private double measure(final SimulatedChain chain) {
 		double worst = 0;
 		for (int i = 0; i < tx.length; i++) {
 			final double d = chain.distance(i);
@@ -78,7 +78,7 @@ final class LengthKeeper {
 		}
 	}
 
-	private void move(final Chain chain) {
+	private void move(final SimulatedChain chain) {
 		for (int i = 0; i < tx.length; i++) {
 			chain.x[i] += freedom(i) * pull[i] * tx[i];
 			chain.y[i] += freedom(i) * pull[i] * ty[i];

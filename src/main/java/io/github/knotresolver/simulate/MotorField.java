@@ -38,7 +38,7 @@ final class MotorField {
 	 * @param reach distance in µm
 	 * @return motors, each once
 	 */
-	List<Motor> near(final Chain chain, final double reach) {
+	List<Motor> near(final SimulatedChain chain, final double reach) {
 		final Set<Square> seen = new HashSet<>();
 		final List<Motor> found = new ArrayList<>();
 		final double around = reach + chain.link / 2;
@@ -53,7 +53,7 @@ final class MotorField {
 		return found;
 	}
 
-	private void addNear(final Chain chain, final Square square, final double reach,
+	private void addNear(final SimulatedChain chain, final Square square, final double reach,
 		final List<Motor> found) {
 		for (final Motor m : squares.computeIfAbsent(square, this::populate))
 			if (!Double.isNaN(chain.nearest(m.x, m.y, reach)))

@@ -31,7 +31,7 @@ final class Motors {
 	}
 
 	/** A step of time: bound motors walk and let go, free ones bind. */
-	void step(final Chain chain, final double dt, final Noise noise) {
+	void step(final SimulatedChain chain, final double dt, final Noise noise) {
 		for (final Motor m : bound)
 			m.step(chain, properties, dt, noise);
 		bound.removeIf(m -> !m.isBound());
@@ -42,7 +42,7 @@ final class Motors {
 				tryToBind(m, chain);
 	}
 
-	private void tryToBind(final Motor motor, final Chain chain) {
+	private void tryToBind(final Motor motor, final SimulatedChain chain) {
 		final double arc = chain.nearest(motor.x, motor.y, properties.bindingRange());
 		if (Double.isNaN(arc) || arc >= chain.length())
 			return;
@@ -50,7 +50,7 @@ final class Motors {
 		bound.add(motor);
 	}
 
-	private void look(final Chain chain) {
+	private void look(final SimulatedChain chain) {
 		if (viewX.length > 0 && !hasMoved(chain))
 			return;
 		viewX = chain.x.clone();
@@ -58,7 +58,7 @@ final class Motors {
 		inView = field.near(chain, properties.bindingRange() + SKIN);
 	}
 
-	private boolean hasMoved(final Chain chain) {
+	private boolean hasMoved(final SimulatedChain chain) {
 		for (int i = 0; i < viewX.length; i++) {
 			final double dx = chain.x[i] - viewX[i], dy = chain.y[i] - viewY[i];
 			if (dx * dx + dy * dy > SKIN * SKIN)

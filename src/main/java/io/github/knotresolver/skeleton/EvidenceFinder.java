@@ -53,7 +53,7 @@ public final class EvidenceFinder {
 		final LinePixels line = new LinePixels(mask);
 		final double s = appearance.workingSigma();
 		LineParts.keep(line, part -> part.length >= SkeletonTuning.FIRST_LENGTH * s);
-		final FreeEnds ends = new FreeEnds(ridges);
+		final EndTrimmer ends = new EndTrimmer(ridges);
 		ends.trim(line);
 		Spurs.prune(line, (int) Math.ceil(SkeletonTuning.SPUR * s));
 		Spurs.prune(line, (int) Math.ceil(SkeletonTuning.BEAD_BRANCH * s),

@@ -123,7 +123,7 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 			return Observation.without(frame, FrameStatus.UNRESOLVED,
 				doubt.replace("Doubtful: ", "No contour can be trusted: "));
 		final Visible visible = Visible.of(chosen(t, path).chain().contour(), light.get(t));
-		final String limit = Outcome.limitReason(sets.get(t).limited());
+		final String limit = Observations.limitReason(sets.get(t).limited());
 		return new Observation(frame,
 			said.isPresent() ? FrameStatus.CORRECTED : FrameStatus.RESOLVED,
 			said.map(Restriction::met).orElse((doubt + " " + limit).trim()),

@@ -8,9 +8,9 @@ import io.github.knotresolver.candidate.SceneTrails;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.LineTables;
 import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.geometry.GaussianSmoothing;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.geometry.Smoothing;
 
 /**
  * All filaments of one frame, neither their number nor their lengths known: the trails of
@@ -22,7 +22,7 @@ final class SceneSeeder {
 	/** What a filament must explain, in strands squared, and how long it must be (pixels). */
 	static final double PRICE = 12, SHORTEST = 8;
 
-	/** Smoothing of a trail's corners (pixels). */
+	/** GaussianSmoothing of a trail's corners (pixels). */
 	private static final double SMOOTH = 2;
 
 	/** A skeleton ends so much (pixels) before the light does. */
@@ -75,7 +75,7 @@ final class SceneSeeder {
 
 	private static Polyline smooth(final Polyline trail) {
 		final Polyline even = trail.resampled(1);
-		return even.size() > 2 ? Smoothing.gaussian(even, SMOOTH).resampled(1) : even;
+		return even.size() > 2 ? GaussianSmoothing.gaussian(even, SMOOTH).resampled(1) : even;
 	}
 
 	/** Cuts a curve, sampled at a pixel, at its corners. */

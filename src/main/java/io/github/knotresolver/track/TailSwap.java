@@ -11,9 +11,9 @@ import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitSettings;
 import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.fit.SceneWindow;
+import io.github.knotresolver.geometry.GaussianSmoothing;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.geometry.Smoothing;
 
 /**
  * Two filaments that touch may have been given each other's tails: where light is missing,
@@ -193,7 +193,7 @@ final class TailSwap {
 		if (curve.first().distanceTo(filament.start()) > JUMP)
 			return Optional.empty();
 		final Polyline even = curve.resampled(1);
-		final Polyline smooth = even.size() > 2 ? Smoothing.gaussian(even, SMOOTH) : even;
+		final Polyline smooth = even.size() > 2 ? GaussianSmoothing.gaussian(even, SMOOTH) : even;
 		final double missing = filament.length() - smooth.length();
 		final Polyline whole = missing > 0
 			? UnexplainedLight.extended(smooth, missing)

@@ -131,14 +131,14 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 		final FrameGraph frame = query.frames().get(t);
 		final FrameCandidates column = solution.columns.get(t);
 		if (query.corrections().containsKey(frame.frame()))
-			return Outcome.corrected(frame, column.contours().get(0));
+			return Observations.corrected(frame, column.contours().get(0));
 		if (frame.graph().isEmpty())
-			return Outcome.lost(frame);
+			return Observations.lost(frame);
 		if (column.contours().isEmpty())
-			return Outcome.withoutCandidates(frame);
+			return Observations.withoutCandidates(frame);
 		final int chosen = solution.path.choice()[t];
 		return new Observation(frame.frame(), FrameStatus.RESOLVED,
-			Outcome.limitReason(column.limited()), Optional.of(column.contours().get(chosen)),
+			Observations.limitReason(column.limited()), Optional.of(column.contours().get(chosen)),
 			frame.junctions(), column.contours().size(), column.prices().get(chosen),
 			confidence(solution, t, chosen));
 	}

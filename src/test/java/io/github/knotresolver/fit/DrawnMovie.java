@@ -89,7 +89,7 @@ public record DrawnMovie(Movie movie, List<Polyline> truth, LineModel model) {
 
 	private static double[] picture(final Chain chain, final LineModel model) {
 		final NormalizedFrame dark = new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]);
-		return chain == null ? dark.pixels().clone() : Neighbourhood.draw(dark, model, chain);
+		return chain == null ? dark.pixels().clone() : ChainPixels.draw(dark, model, chain);
 	}
 
 	/**

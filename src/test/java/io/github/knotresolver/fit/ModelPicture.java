@@ -17,6 +17,6 @@ public final class ModelPicture {
 		final Chain chain) {
 		final NormalizedFrame empty = new NormalizedFrame(width, height,
 			new double[width * height]);
-		return new NormalizedFrame(width, height, Neighbourhood.draw(empty, model, chain));
+		return new NormalizedFrame(width, height, ChainPixels.draw(empty, model, chain));
 	}
 }

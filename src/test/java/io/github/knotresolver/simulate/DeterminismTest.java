@@ -59,15 +59,15 @@ class DeterminismTest {
 
 	@Test
 	void motorsLieAtTheWantedDensityWhateverTheWayThere() {
-		final Chain chain = new Chain(200, 20);
+		final SimulatedChain chain = new SimulatedChain(200, 20);
 		final List<Motor> near = new MotorField(50, 3).near(chain, 0.2);
 		final double area = 20 * 0.4 + Math.PI * 0.04;
 		assertEquals(50 * area, near.size(), 3 * Math.sqrt(50 * area));
 		assertEquals(near.size(), new java.util.HashSet<>(near).size());
-		final Chain coarse = new Chain(20, 20);
+		final SimulatedChain coarse = new SimulatedChain(20, 20);
 		assertEquals(near.size(), new MotorField(50, 3).near(coarse, 0.2).size());
 		final MotorField other = new MotorField(50, 3);
-		final Chain elsewhere = new Chain(10, 1);
+		final SimulatedChain elsewhere = new SimulatedChain(10, 1);
 		Arrays.fill(elsewhere.y, 30);
 		other.near(elsewhere, 0.2);
 		final List<Motor> again = other.near(chain, 0.2);

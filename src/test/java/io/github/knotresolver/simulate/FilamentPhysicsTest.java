@@ -112,7 +112,7 @@ class FilamentPhysicsTest {
 	}
 
 	/** Bends a chain to constant curvature (1/µm), its first link stays. */
-	private static void bend(final Chain c, final double curvature) {
+	private static void bend(final SimulatedChain c, final double curvature) {
 		for (int i = 1; i < c.nodes(); i++) {
 			final double heading = curvature * (i - 1) * c.link;
 			c.x[i] = c.x[i - 1] + c.link * Math.cos(heading);
@@ -124,7 +124,7 @@ class FilamentPhysicsTest {
 	void theClampCarriesWhatTheMotorsPush() {
 		final SimulationParameters p = passive(new FilamentProperties(2, 1e5, 0.1, Clamp.PIVOT),
 			COLD, new Schedule(10, 2, 0.005, 0));
-		final Chain chain = new Chain(20, 2);
+		final SimulatedChain chain = new SimulatedChain(20, 2);
 		final FilamentMechanics mechanics = new FilamentMechanics(p, chain, 0.005);
 		final List<Motor> pushing = new ArrayList<>();
 		for (final double arc : new double[]{0.55, 1.25}) {
@@ -149,7 +149,7 @@ class FilamentPhysicsTest {
 	void aLateralMotorPullsAFreeFilamentUntilItLetsGoOfItsForce() {
 		final SimulationParameters p = passive(new FilamentProperties(2, 1e5, 0.1, Clamp.FREE),
 			COLD, new Schedule(10, 2, 0.005, 0));
-		final Chain chain = new Chain(20, 2);
+		final SimulatedChain chain = new SimulatedChain(20, 2);
 		final FilamentMechanics mechanics = new FilamentMechanics(p, chain, 1e-5);
 		final Motor m = new Motor(1, 0.05);
 		m.bind(1);

@@ -3,9 +3,9 @@ package io.github.knotresolver.fit;
 import java.util.List;
 
 /** The pixels around a chain, and the chain's picture in them. */
-final class Neighbourhood {
+final class ChainPixels {
 
-	private Neighbourhood() {
+	private ChainPixels() {
 	}
 
 	/**

@@ -8,13 +8,13 @@ import io.github.knotresolver.image.Ridges;
  * Shortens lines to where their light ends. Beyond a tip, noise and the tip's own blur
  * draw the line on.
  */
-final class FreeEnds {
+final class EndTrimmer {
 
 	private final Ridges ridges;
 	private final int ahead;
 	private final double faint;
 
-	FreeEnds(final Ridges ridges) {
+	EndTrimmer(final Ridges ridges) {
 		this.ridges = ridges;
 		ahead = Math.max(1,
 			(int) (SkeletonTuning.END_STRETCH * ridges.appearance().blurredSigma()));

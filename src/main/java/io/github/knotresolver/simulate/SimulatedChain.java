@@ -5,14 +5,14 @@ package io.github.knotresolver.simulate;
  * Where the filament is: nodes joined by links of equal length. Node 0 is the
  * clamped end. µm.
  */
-final class Chain {
+final class SimulatedChain {
 
 	final double[] x;
 	final double[] y;
 	final double link;
 
 	/** A straight chain from the origin along x. */
-	Chain(final int links, final double length) {
+	SimulatedChain(final int links, final double length) {
 		x = new double[links + 1];
 		y = new double[links + 1];
 		link = length / links;

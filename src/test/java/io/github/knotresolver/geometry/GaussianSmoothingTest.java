@@ -8,13 +8,13 @@ import java.util.stream.IntStream;
 
 import org.junit.jupiter.api.Test;
 
-class SmoothingTest {
+class GaussianSmoothingTest {
 
 	@Test
 	void straightLineStaysAsItIs() {
 		final Polyline line = Polyline.of(IntStream.range(0, 20).mapToDouble(i -> 3 + i).toArray(),
 			IntStream.range(0, 20).mapToDouble(i -> 2 * i).toArray());
-		final Polyline smooth = Smoothing.gaussian(line, 2);
+		final Polyline smooth = GaussianSmoothing.gaussian(line, 2);
 		for (int i = 0; i < line.size(); i++)
 			assertEquals(0, line.point(i).distanceTo(smooth.point(i)), 1e-9);
 	}
@@ -23,7 +23,7 @@ class SmoothingTest {
 	void endsStayAndStaircaseVanishes() {
 		final Polyline stairs = Polyline.of(IntStream.range(0, 61).mapToDouble(i -> i).toArray(),
 			IntStream.range(0, 61).mapToDouble(i -> i / 3).toArray());
-		final Polyline smooth = Smoothing.gaussian(stairs, 1.5);
+		final Polyline smooth = GaussianSmoothing.gaussian(stairs, 1.5);
 		assertEquals(stairs.first(), smooth.first());
 		assertEquals(stairs.last(), smooth.last());
 		assertEquals(Math.hypot(60, 20), smooth.length(), 0.3);
@@ -37,15 +37,15 @@ class SmoothingTest {
 		final Polyline arc = Polyline.of(
 			IntStream.range(0, n).mapToDouble(i -> r * Math.cos(i / r)).toArray(),
 			IntStream.range(0, n).mapToDouble(i -> r * Math.sin(i / r)).toArray());
-		final Point middle = Smoothing.gaussian(arc, 2).point(n / 2);
+		final Point middle = GaussianSmoothing.gaussian(arc, 2).point(n / 2);
 		assertEquals(r - 4 / (2 * r), Math.hypot(middle.x(), middle.y()), 2e-3);
 	}
 
 	@Test
 	void shortCurvesAndBadSigma() {
 		final Polyline two = Polyline.of(new double[]{0, 1}, new double[]{0, 0});
-		assertEquals(two, Smoothing.gaussian(two, 2));
-		assertThrows(IllegalArgumentException.class, () -> Smoothing.gaussian(two, 0));
+		assertEquals(two, GaussianSmoothing.gaussian(two, 2));
+		assertThrows(IllegalArgumentException.class, () -> GaussianSmoothing.gaussian(two, 0));
 	}
 
 	@Test

@@ -7,9 +7,9 @@ import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 
 /** What resolvers say about frames that are not simply resolved. */
-public final class Outcome {
+public final class Observations {
 
-	private Outcome() {
+	private Observations() {
 	}
 
 	/**

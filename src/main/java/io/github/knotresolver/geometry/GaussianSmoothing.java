@@ -1,13 +1,13 @@
 
 package io.github.knotresolver.geometry;
 
-/** Smoothing of curves that leaves their end points where they are. */
-public final class Smoothing {
+/** GaussianSmoothing of curves that leaves their end points where they are. */
+public final class GaussianSmoothing {
 
 	/** The kernel reaches this many standard deviations. */
 	private static final double REACH = 3;
 
-	private Smoothing() {
+	private GaussianSmoothing() {
 	}
 
 	/**
