@@ -6,8 +6,12 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
 
 import io.github.knotresolver.imagej.Batch;
+import io.github.knotresolver.imagej.BatchWork;
+import io.github.knotresolver.io.BatchFolders.Rows;
 import io.github.knotresolver.io.BatchList;
 import io.github.knotresolver.io.BatchOutcome;
 import io.github.knotresolver.io.BatchOutcome.Status;
@@ -46,6 +50,15 @@ final class BatchSubcommand implements Callable<Integer> {
 	@Option(names = "--movies", paramLabel = "N", description = "Most movies at a time [as many as threads and memory allow].")
 	private Integer movies;
 
+	@Option(names = "--rows", paramLabel = "A-B", description = "Only these rows, counted from 1: one of several processes that share the folder (a cluster); batch-rows/A-B.csv lists them.")
+	private String rows;
+
+	@Option(names = "--collect", description = "Resolve nothing: write batch.csv and batch.html of what runs with --rows made.")
+	private boolean collect;
+
+	@Option(names = "--plan", description = "Do nothing: print how much memory each row takes, as CSV.")
+	private boolean plan;
+
 	private final Engine engine;
 	private final Progress progress;
 
@@ -62,20 +75,47 @@ final class BatchSubcommand implements Callable<Integer> {
 		try {
 			final var texts = GivenOptions.of(spec);
 			RunOptions.parse(texts);
+			requireOneTask();
 			final BatchSheet sheet = MovieFolder.read(input);
 			if (!sheet.unknownColumns().isEmpty())
 				stderr.println("Columns that mean nothing here: "
 					+ String.join(", ", sheet.unknownColumns()) + ".");
-			outcomes = new Batch(engine, texts, force, plots, Optional.ofNullable(movies)).run(
-				sheet.rows(), out, List.of(input),
-				o -> (o.status() == Status.FAILED ? stderr : stdout).println(o.line()), progress);
+			final BatchWork work = new BatchWork(sheet.rows(), out, List.of(input));
+			if (plan)
+				return print(work, stdout);
+			outcomes = outcomes(new Batch(engine, texts, force, plots, Optional.ofNullable(movies)),
+				work, o -> (o.status() == Status.FAILED ? stderr : stdout).println(o.line()));
 		} catch (final UserException e) {
 			throw new ParameterException(spec.commandLine(), e.getMessage(), e);
 		}
 		final long failed = outcomes.stream().filter(o -> o.status() == Status.FAILED).count();
-		stdout.println(
-			(outcomes.size() - failed) + " of " + outcomes.size() + " movies have a result. List: "
-				+ out.resolve(BatchList.FILE) + ", page: " + out.resolve(BatchList.PAGE));
+		stdout.println((outcomes.size() - failed) + " of " + outcomes.size()
+			+ " movies have a result." + (rows == null
+				? " List: " + out.resolve(BatchList.FILE) + ", page: " + out.resolve(BatchList.PAGE)
+				: ""));
 		return failed == 0 ? ExitStatus.FINISHED : ExitStatus.FAILED;
+	}
+
+	private void requireOneTask() {
+		if (Stream.of(rows != null, collect, plan).filter(told -> told).count() > 1)
+			throw new UserException("Only one of --rows, --collect and --plan can be told at a time.");
+	}
+
+	private List<BatchOutcome> outcomes(final Batch batch, final BatchWork work,
+		final Consumer<BatchOutcome> listener) throws IOException {
+		if (rows != null)
+			return batch.part(work, Rows.parse(rows), listener, progress);
+		if (!collect)
+			return batch.run(work, listener, progress);
+		final List<BatchOutcome> outcomes = batch.collect(work, progress);
+		outcomes.stream().filter(o -> o.status() == Status.FAILED).forEach(listener);
+		return outcomes;
+	}
+
+	private static int print(final BatchWork work, final PrintWriter stdout) {
+		stdout.println("row,megabytes,movie");
+		work.plan().forEach(p -> stdout.println(p.row() + "," + p.megabytes() + ",\""
+			+ p.movie().replace("\"", "\"\"") + "\""));
+		return ExitStatus.FINISHED;
 	}
 }

@@ -19,6 +19,7 @@ import org.scijava.widget.FileWidget;
 import ij.IJ;
 import ij.macro.Interpreter;
 import io.github.knotresolver.imagej.Batch;
+import io.github.knotresolver.imagej.BatchWork;
 import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.imagej.form.MacroOptions;
 import io.github.knotresolver.io.BatchList;
@@ -81,7 +82,8 @@ public class BatchCommand extends KnotCommand {
 				+ ".");
 		final Optional<Integer> most = movies == 0 ? Optional.empty() : Optional.of(movies);
 		final List<BatchOutcome> outcomes = new Batch(engine, texts, force, plots, most)
-			.run(sheet.rows(), out.toPath(), List.of(input.toPath()), o -> say(o.line()), progress);
+			.run(new BatchWork(sheet.rows(), out.toPath(), List.of(input.toPath())),
+				o -> say(o.line()), progress);
 		final long failed = outcomes.stream().filter(o -> o.status() == Status.FAILED).count();
 		if (!GraphicsEnvironment.isHeadless() && !Interpreter.isBatchMode() && !IJ.isMacro()) {
 			final BatchTable table = new BatchTable(out.toPath(), outcomes);

@@ -2,7 +2,6 @@ package io.github.knotresolver.imagej;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -12,7 +11,7 @@ import io.github.knotresolver.io.BatchFolders;
 import io.github.knotresolver.io.BatchList;
 import io.github.knotresolver.io.BatchOutcome;
 import io.github.knotresolver.io.BatchRow;
-import io.github.knotresolver.io.RunIdentity;
+import io.github.knotresolver.io.BatchFolders.Rows;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.run.Engine;
@@ -45,9 +44,7 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 	/**
 	 * Resolves all rows, and writes the list of what came of them and the page that shows it.
 	 *
-	 * @param rows the rows
-	 * @param out the folder of the result folders; made if absent
-	 * @param inputs what else is read, such as the sheet
+	 * @param work the rows and their place
 	 * @param listener told of every outcome as it comes, by one thread at a time
 	 * @param progress may cancel; what is finished by then stays
 	 * @return what came of the rows, in their order
@@ -55,27 +52,87 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 	 *           sentence
 	 * @throws IOException if the list cannot be written
 	 */
-	public List<BatchOutcome> run(final List<BatchRow> rows, final Path out,
-		final List<Path> inputs, final Consumer<BatchOutcome> listener, final Progress progress)
-		throws IOException {
-		final List<Path> read = new ArrayList<>(inputs);
-		rows.forEach(row -> read.addAll(files(row)));
-		try (BatchList list = BatchList.open(out, read)) {
-			final BatchFolders folders = BatchFolders.of(out, rows, defaults, progress);
-			final BatchTurn turn = new BatchTurn(this, out, read);
-			final BatchRun run = new BatchRun(turn, list, listener, progress);
-			run.all(rows, folders);
-			list.page(file -> BatchPage.write(file, out, list.outcomes(), progress));
+	public List<BatchOutcome> run(final BatchWork work, final Consumer<BatchOutcome> listener,
+		final Progress progress) throws IOException {
+		final List<Path> read = work.files(defaults);
+		try (BatchList list = BatchList.open(work.out(), read)) {
+			run(work, Rows.ALL, new BatchRun(new BatchTurn(this, work.out(), read), list, listener),
+				progress);
+			list.page(file -> BatchPage.write(file, work.out(), list.outcomes(), progress));
 			return list.outcomes();
 		}
 	}
 
-	private List<Path> files(final BatchRow row) {
+	/**
+	 * Resolves some of the rows, as one of several processes that share the folder: all of them give
+	 * results the names that one process would give them. What came of the rows is in a list of their
+	 * own, for {@link #collect}.
+	 *
+	 * @param work all rows and their place
+	 * @param part those that have their turn
+	 * @param listener told of every outcome as it comes, by one thread at a time
+	 * @param progress may cancel; what is finished by then stays
+	 * @return what came of these rows, in their order
+	 * @throws UserException if there are no such rows, or the folder cannot be written,
+	 *           in one sentence
+	 * @throws IOException if the list cannot be written
+	 */
+	public List<BatchOutcome> part(final BatchWork work, final Rows part,
+		final Consumer<BatchOutcome> listener, final Progress progress) throws IOException {
+		if (part.last() > work.rows().size())
+			throw new UserException("rows must be from 1 to " + work.rows().size()
+				+ ", as many as the sheet has, but is " + part.label() + ".");
+		final List<Path> read = work.files(defaults);
+		try (BatchList list = BatchList.open(work.out(), part.label(), read)) {
+			run(work, part, new BatchRun(new BatchTurn(this, work.out(), read), list, listener),
+				progress);
+			return list.outcomes();
+		}
+	}
+
+	private void run(final BatchWork work, final Rows part, final BatchRun run,
+		final Progress progress) throws IOException {
+		run.all(work.rows(), part, BatchFolders.of(work.out(), work.rows(), defaults, part, progress),
+			progress);
+	}
+
+	/**
+	 * Writes the list and the page of what {@link #part} made, and resolves nothing.
+	 *
+	 * @param work all rows and their place
+	 * @param progress may cancel
+	 * @return what came of the rows, in their order
+	 * @throws UserException if the folder cannot be written, in one
+	 *           sentence
+	 * @throws IOException if the list cannot be written
+	 */
+	public List<BatchOutcome> collect(final BatchWork work, final Progress progress)
+		throws IOException {
+		try (BatchList list = BatchList.open(work.out(), work.files(defaults))) {
+			final BatchFolders folders = BatchFolders.of(work.out(), work.rows(), defaults,
+				Rows.NONE, progress);
+			final Map<BatchRow, BatchOutcome> told = BatchList.told(work.out(), work.rows());
+			for (int i = 0; i < work.rows().size(); i++)
+				list.note(i, collected(work.rows().get(i), folders, told));
+			list.write();
+			list.page(file -> BatchPage.write(file, work.out(), list.outcomes(), progress));
+			return list.outcomes();
+		}
+	}
+
+	private static BatchOutcome collected(final BatchRow row, final BatchFolders folders,
+		final Map<BatchRow, BatchOutcome> told) {
 		try {
-			return RunIdentity.files(Optional.of(row.file()), row.over(defaults));
+			final BatchFolders.Place place = folders.place(row);
+			final BatchOutcome outcome = told.getOrDefault(row,
+				BatchOutcome.failed(row, "There is no result; resolve this row."));
+			if (!place.isFinished())
+				return BatchOutcome.failed(row, outcome.message());
+			return outcome.folder().isPresent()
+				? outcome
+				: BatchOutcome.skipped(row, place.name());
 		} catch (final UserException e) {
-			// The row is refused when it has its turn.
-			return List.of();
+			return BatchOutcome.failed(row, e.getMessage());
 		}
 	}
 }

@@ -7,8 +7,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.io.BatchFolders;
+import io.github.knotresolver.io.BatchFolders.Rows;
 import io.github.knotresolver.io.BatchList;
 import io.github.knotresolver.io.BatchOutcome;
 import io.github.knotresolver.io.BatchRow;
@@ -30,7 +32,6 @@ final class BatchRun {
 	private final BatchTurn turn;
 	private final BatchList list;
 	private final Consumer<BatchOutcome> listener;
-	private final Progress progress;
 	private final List<Work> again = new ArrayList<>();
 
 	/** A row that has work to do. */
@@ -41,73 +42,73 @@ final class BatchRun {
 	 * @param turn resolves a row
 	 * @param list takes what came of them
 	 * @param listener told of every outcome as it comes, by one thread at a time
-	 * @param progress may cancel
 	 */
-	BatchRun(final BatchTurn turn, final BatchList list, final Consumer<BatchOutcome> listener,
-		final Progress progress) {
+	BatchRun(final BatchTurn turn, final BatchList list, final Consumer<BatchOutcome> listener) {
 		this.turn = turn;
 		this.list = list;
 		this.listener = listener;
-		this.progress = progress;
 	}
 
 	/**
-	 * Gives all rows their turn.
+	 * Gives rows their turn.
 	 *
-	 * @param rows the rows
+	 * @param rows all rows of the sheet
+	 * @param part those that have their turn; the others only keep their names
 	 * @param folders where their results are, or go
+	 * @param progress may cancel
 	 * @throws IOException if the list cannot be written
 	 */
-	void all(final List<BatchRow> rows, final BatchFolders folders) throws IOException {
-		final ManyProgress many = new ManyProgress(progress, rows.size(), "movies");
+	void all(final List<BatchRow> rows, final Rows part, final BatchFolders folders,
+		final Progress progress) throws IOException {
+		final int count = (int) IntStream.range(0, rows.size()).filter(part::has).count();
+		final ManyProgress many = new ManyProgress(progress, count, "movies");
 		final long room = (long) (SHARE * Runtime.getRuntime().maxMemory());
-		final int threads = turn.threads();
-		final int most = Math.max(1, Math.min(turn.movies().orElse(threads), rows.size()));
+		final int most = Math.max(1, Math.min(turn.movies().orElse(turn.threads()), count));
 		try {
 			try (Lanes lanes = new Lanes(most, room)) {
 				for (int i = 0; i < rows.size(); i++) {
 					progress.checkCancelled();
-					final Optional<Work> work = work(i, rows.get(i), folders, many);
+					final Optional<Work> work = work(i, rows.get(i), folders, part.has(i), many);
 					if (work.isEmpty())
 						continue;
-					final long need = need(rows.get(i));
-					final long beside = Math.min(most,
-						Math.min(rows.size() - list.outcomes().size(), Math.max(1, room / need)));
-					final int own = (int) Math.max(1, threads / Math.max(1, beside));
+					final long need = MovieMemory.of(rows.get(i));
+					final int own = threads(Math.min(most, count - list.outcomes().size()),
+						room / need);
 					lanes.start(need, work.get().part(), () -> beside(work.get(), own));
 				}
 				lanes.join(progress);
 			}
-			alone(threads);
+			alone();
 		} catch (final UncheckedIOException e) {
 			throw e.getCause();
 		}
 	}
 
+	/** @return the share of a movie beside which so many others can run, by rows and by memory */
+	private int threads(final int byRows, final long byMemory) {
+		final long beside = Math.max(1, Math.min(byRows, Math.max(1, byMemory)));
+		return (int) Math.max(1, turn.threads() / beside);
+	}
+
 	/** @return what is left to do for a row; empty if nothing is */
 	private Optional<Work> work(final int index, final BatchRow row, final BatchFolders folders,
-		final ManyProgress many) {
+		final boolean hasTurn, final ManyProgress many) {
 		Optional<BatchOutcome> known;
 		try {
 			final BatchFolders.Place place = folders.place(row);
+			if (!hasTurn)
+				return Optional.empty();
 			known = turn.isDone(row, place);
 			if (known.isEmpty())
 				return Optional.of(new Work(index, row, place.name(), many.part(row.name())));
 		} catch (final UserException e) {
+			if (!hasTurn)
+				return Optional.empty();
 			known = Optional.of(turn.failed(row, e));
 		}
 		known.ifPresent(outcome -> end(index, outcome));
 		many.part(row.name()).close();
 		return Optional.empty();
-	}
-
-	private static long need(final BatchRow row) {
-		try {
-			return MovieMemory.of(row.file());
-		} catch (final UserException e) {
-			// The row is refused when it has its turn.
-			return 1;
-		}
 	}
 
 	private void beside(final Work work, final int threads) {
@@ -123,12 +124,12 @@ final class BatchRun {
 	}
 
 	/** Memory was short, perhaps by the fault of another one. */
-	private void alone(final int threads) {
+	private void alone() {
 		again.sort(Comparator.comparingInt(Work::index));
 		for (final Work work : again) {
 			try {
 				end(work.index(), Cancellation.during(work.part(),
-					() -> turn.resolve(work.row(), work.folder(), threads, work.part())));
+					() -> turn.resolve(work.row(), work.folder(), turn.threads(), work.part())));
 			} catch (final OutOfMemoryError e) {
 				end(work.index(), turn.failed(work.row(), e));
 			}

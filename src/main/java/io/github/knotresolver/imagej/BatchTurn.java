@@ -64,9 +64,7 @@ final class BatchTurn {
 	 */
 	Optional<BatchOutcome> isDone(final BatchRow row, final BatchFolders.Place place) {
 		return place.isFinished() && !batch.overwrite()
-			? Optional.of(new BatchOutcome(row, Status.SKIPPED, Optional.of(place.name()),
-				"The same movie was resolved with these options before, in folder " + place.name()
-					+ "; add force to do it again."))
+			? Optional.of(BatchOutcome.skipped(row, place.name()))
 			: Optional.empty();
 	}
 

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.stream.Stream;
 
 import io.github.knotresolver.imagej.tiff.TiffImage;
+import io.github.knotresolver.io.BatchRow;
 import io.github.knotresolver.model.UserException;
 
 /**
@@ -23,6 +24,19 @@ final class MovieMemory {
 	private static final long PACKED = 8;
 
 	private MovieMemory() {
+	}
+
+	/**
+	 * @param row a row of a batch
+	 * @return bytes for its movie; those of an empty one if no file can have that name
+	 */
+	static long of(final BatchRow row) {
+		try {
+			return of(row.file());
+		} catch (final UserException e) {
+			// The row is refused when it has its turn.
+			return ALWAYS;
+		}
 	}
 
 	/**

@@ -32,6 +32,17 @@ public record BatchOutcome(BatchRow row, Status status, Optional<String> folder,
 		return new BatchOutcome(row, Status.FAILED, Optional.empty(), message);
 	}
 
+	/**
+	 * @param row a row whose result is there already
+	 * @param folder the name of its folder
+	 * @return the outcome
+	 */
+	public static BatchOutcome skipped(final BatchRow row, final String folder) {
+		return new BatchOutcome(row, Status.SKIPPED, Optional.of(folder),
+			"The same movie was resolved with these options before, in folder " + folder
+				+ "; add force to do it again.");
+	}
+
 	/** @return the outcome in one line, for people */
 	public String line() {
 		return row.name() + ": " + label() + ". " + message;

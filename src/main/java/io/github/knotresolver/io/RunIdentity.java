@@ -144,6 +144,22 @@ public record RunIdentity(Path movie, String sha256, String version, Map<String,
 			&& sameOptions(other);
 	}
 
+	/**
+	 * Compares without reading a file.
+	 *
+	 * @param file a movie's file, absolute
+	 * @param texts the options that were given, by key
+	 * @return whether this is a result of that path with these options, by this version, whatever the
+	 *         contents of the files
+	 */
+	boolean isOf(final Path file, final Map<String, String> texts) {
+		final Map<String, String> options = new TreeMap<>(texts);
+		options.values().removeIf(text -> text == null || text.isBlank());
+		options.keySet().removeAll(List.of(THREADS_KEY, CORRECTIONS_KEY));
+		return movie.equals(file) && version.equals(ProgramVersion.get())
+			&& sameOptions(new RunIdentity(file, sha256, version, options, corrections));
+	}
+
 	private boolean sameOptions(final RunIdentity other) {
 		try {
 			return RunOptions.parse(given).equals(RunOptions.parse(other.given));

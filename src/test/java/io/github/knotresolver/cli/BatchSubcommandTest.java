@@ -242,6 +242,51 @@ class BatchSubcommandTest {
 	}
 
 	@Test
+	void partsOfASheetTogetherMakeWhatOneProcessMakes() throws IOException {
+		final Path sheet = sheet("FileName,FolderPath", "a.tif,in/more", "absent.tif,in", "b.tif,in",
+			"a.tif,in");
+		assertEquals(1, run(sheet, "--no-plots"));
+		final Path whole = Files.move(out, home.resolve("whole"));
+		resolved.set(0);
+		assertEquals(0, run(sheet, "--no-plots", "--rows", "3-4"));
+		assertEquals(2, resolved.get());
+		assertEquals(List.of("a-2", "b", "batch-rows"), names(out));
+		assertEquals(List.of("3-4.csv"), names(out.resolve("batch-rows")));
+		assertEquals(1, run(sheet, "--no-plots", "--rows", "1-2"));
+		assertEquals(0, run(sheet, "--no-plots", "--rows", "4"));
+		assertEquals(3, resolved.get());
+		assertEquals(1, run(sheet, "--collect"));
+		assertEquals(3, resolved.get());
+		for (final String name : List.of("a/contours.csv", "a-2/contours.csv", "b/frames.csv",
+			"a-2/parameters.json"))
+			assertEquals(-1, Files.mismatch(whole.resolve(name), out.resolve(name)), name);
+		// The list of 4-4 came after that of 3-4, and says that it had nothing to do.
+		final String list = Files.readString(out.resolve("batch.csv")).replaceAll(
+			"4,(.*),skipped,a-2,.*", "4,$1,finished,a-2,");
+		assertEquals(5, list.lines().count());
+		assertTrue(list.contains("There is no file"), list);
+		assertTrue(Files.readString(out.resolve("batch.html")).contains("3 of 4 movies"));
+		assertEquals(2, run(sheet, "--rows", "4-5"));
+		assertTrue(stderr.toString().contains("--rows must be from 1 to 4"), stderr.toString());
+		assertEquals(2, run(sheet, "--rows", "0"));
+		assertEquals(2, run(sheet, "--rows", "1", "--collect"));
+	}
+
+	@Test
+	void collectSaysWhatIsMissingAndPlanReadsNoPixels() throws IOException {
+		final Path sheet = sheet("FileName,FolderPath", "a.tif,in", "b.tif,in");
+		assertEquals(0, run(sheet, "--plan"));
+		assertFalse(Files.exists(out));
+		final List<String> plan = stdout.toString().lines().toList();
+		assertEquals("row,megabytes,movie", plan.get(0));
+		assertTrue(plan.get(1).matches("1,66,\".*a.tif\""), plan.get(1));
+		assertEquals(1, run(sheet, "--collect"));
+		assertTrue(stderr.toString().contains("a.tif: failed. There is no result"),
+			stderr.toString());
+		assertEquals(0, resolved.get());
+	}
+
+	@Test
 	void movieInsideAResultFolderIsNotReplaced() throws IOException {
 		assertEquals(0, run(sheet("FileName,FolderPath", "a.tif,in")));
 		final byte[] overlay = Files.readAllBytes(out.resolve("a/overlay.tif"));

@@ -153,8 +153,9 @@ class BatchTest {
 
 	private List<BatchOutcome> run(final Engine engine, final String threads,
 		final Optional<Integer> movies, final boolean plots, final String out) throws IOException {
-		return new Batch(engine, Map.of("threads", threads), false, plots, movies).run(rows,
-			home.resolve(out), List.of(), o -> told.add(o.line()), Progress.NONE);
+		return new Batch(engine, Map.of("threads", threads), false, plots, movies).run(
+			new BatchWork(rows, home.resolve(out), List.of()), o -> told.add(o.line()),
+			Progress.NONE);
 	}
 
 	private static void await(final CountDownLatch latch) {
