@@ -90,7 +90,8 @@ final class BatchSubcommand implements Callable<Integer> {
 		}
 		final long failed = outcomes.stream().filter(o -> o.status() == Status.FAILED).count();
 		stdout.println((outcomes.size() - failed) + " of " + outcomes.size()
-			+ " movies have a result." + (rows == null
+			+ " movies have a result."
+			+ (rows == null
 				? " List: " + out.resolve(BatchList.FILE) + ", page: " + out.resolve(BatchList.PAGE)
 				: ""));
 		return failed == 0 ? ExitStatus.FINISHED : ExitStatus.FAILED;
@@ -98,7 +99,8 @@ final class BatchSubcommand implements Callable<Integer> {
 
 	private void requireOneTask() {
 		if (Stream.of(rows != null, collect, plan).filter(told -> told).count() > 1)
-			throw new UserException("Only one of --rows, --collect and --plan can be told at a time.");
+			throw new UserException(
+				"Only one of --rows, --collect and --plan can be told at a time.");
 	}
 
 	private List<BatchOutcome> outcomes(final Batch batch, final BatchWork work,
@@ -114,8 +116,8 @@ final class BatchSubcommand implements Callable<Integer> {
 
 	private static int print(final BatchWork work, final PrintWriter stdout) {
 		stdout.println("row,megabytes,movie");
-		work.plan().forEach(p -> stdout.println(p.row() + "," + p.megabytes() + ",\""
-			+ p.movie().replace("\"", "\"\"") + "\""));
+		work.plan().forEach(p -> stdout.println(
+			p.row() + "," + p.megabytes() + ",\"" + p.movie().replace("\"", "\"\"") + "\""));
 		return ExitStatus.FINISHED;
 	}
 }

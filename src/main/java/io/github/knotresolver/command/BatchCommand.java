@@ -81,9 +81,9 @@ public class BatchCommand extends KnotCommand {
 			say("Columns that mean nothing here: " + String.join(", ", sheet.unknownColumns())
 				+ ".");
 		final Optional<Integer> most = movies == 0 ? Optional.empty() : Optional.of(movies);
-		final List<BatchOutcome> outcomes = new Batch(engine, texts, force, plots, most)
-			.run(new BatchWork(sheet.rows(), out.toPath(), List.of(input.toPath())),
-				o -> say(o.line()), progress);
+		final List<BatchOutcome> outcomes = new Batch(engine, texts, force, plots, most).run(
+			new BatchWork(sheet.rows(), out.toPath(), List.of(input.toPath())), o -> say(o.line()),
+			progress);
 		final long failed = outcomes.stream().filter(o -> o.status() == Status.FAILED).count();
 		if (!GraphicsEnvironment.isHeadless() && !Interpreter.isBatchMode() && !IJ.isMacro()) {
 			final BatchTable table = new BatchTable(out.toPath(), outcomes);

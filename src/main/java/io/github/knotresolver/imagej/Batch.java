@@ -8,10 +8,10 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 import io.github.knotresolver.io.BatchFolders;
+import io.github.knotresolver.io.BatchFolders.Rows;
 import io.github.knotresolver.io.BatchList;
 import io.github.knotresolver.io.BatchOutcome;
 import io.github.knotresolver.io.BatchRow;
-import io.github.knotresolver.io.BatchFolders.Rows;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.run.Engine;
@@ -92,8 +92,8 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 
 	private void run(final BatchWork work, final Rows part, final BatchRun run,
 		final Progress progress) throws IOException {
-		run.all(work.rows(), part, BatchFolders.of(work.out(), work.rows(), defaults, part, progress),
-			progress);
+		run.all(work.rows(), part,
+			BatchFolders.of(work.out(), work.rows(), defaults, part, progress), progress);
 	}
 
 	/**
@@ -128,9 +128,7 @@ public record Batch(Engine engine, Map<String, String> defaults, boolean overwri
 				BatchOutcome.failed(row, "There is no result; resolve this row."));
 			if (!place.isFinished())
 				return BatchOutcome.failed(row, outcome.message());
-			return outcome.folder().isPresent()
-				? outcome
-				: BatchOutcome.skipped(row, place.name());
+			return outcome.folder().isPresent() ? outcome : BatchOutcome.skipped(row, place.name());
 		} catch (final UserException e) {
 			return BatchOutcome.failed(row, e.getMessage());
 		}

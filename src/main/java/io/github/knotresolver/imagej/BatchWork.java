@@ -53,8 +53,7 @@ public record BatchWork(List<BatchRow> rows, Path out, List<Path> inputs) {
 	public List<Plan> plan() {
 		final List<Plan> plan = new ArrayList<>();
 		for (final BatchRow row : rows)
-			plan.add(new Plan(plan.size() + 1, row.movie(),
-				1 + (MovieMemory.of(row) >> 20)));
+			plan.add(new Plan(plan.size() + 1, row.movie(), 1 + (MovieMemory.of(row) >> 20)));
 		return plan;
 	}
 }

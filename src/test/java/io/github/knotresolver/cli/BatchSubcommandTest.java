@@ -63,9 +63,8 @@ class BatchSubcommandTest {
 
 		assertEquals(1, run(sheet, "--no-plots"));
 		assertEquals(2, resolved.get());
-		assertTrue(
-			stdout.toString().contains(
-				"a.tif: skipped. The same movie was resolved with these options before, in folder a-2;"),
+		assertTrue(stdout.toString().contains(
+			"a.tif: skipped. The same movie was resolved with these options before, in folder a-2;"),
 			stdout.toString());
 		assertEquals(1, run(sheet, "--no-plots", "--force"));
 		assertEquals(4, resolved.get());
@@ -243,8 +242,8 @@ class BatchSubcommandTest {
 
 	@Test
 	void partsOfASheetTogetherMakeWhatOneProcessMakes() throws IOException {
-		final Path sheet = sheet("FileName,FolderPath", "a.tif,in/more", "absent.tif,in", "b.tif,in",
-			"a.tif,in");
+		final Path sheet = sheet("FileName,FolderPath", "a.tif,in/more", "absent.tif,in",
+			"b.tif,in", "a.tif,in");
 		assertEquals(1, run(sheet, "--no-plots"));
 		final Path whole = Files.move(out, home.resolve("whole"));
 		resolved.set(0);
@@ -261,8 +260,8 @@ class BatchSubcommandTest {
 			"a-2/parameters.json"))
 			assertEquals(-1, Files.mismatch(whole.resolve(name), out.resolve(name)), name);
 		// The list of 4-4 came after that of 3-4, and says that it had nothing to do.
-		final String list = Files.readString(out.resolve("batch.csv")).replaceAll(
-			"4,(.*),skipped,a-2,.*", "4,$1,finished,a-2,");
+		final String list = Files.readString(out.resolve("batch.csv"))
+			.replaceAll("4,(.*),skipped,a-2,.*", "4,$1,finished,a-2,");
 		assertEquals(5, list.lines().count());
 		assertTrue(list.contains("There is no file"), list);
 		assertTrue(Files.readString(out.resolve("batch.html")).contains("3 of 4 movies"));

@@ -59,7 +59,8 @@ class BatchPageTest {
 			rows.add(new BatchRow(rows.size() + 2, file.toString(), Map.of(), List.of()));
 		}
 		final Path out = home.resolve("out");
-		new Batch(TestImages::resolve, Map.of(), false, false, Optional.empty()).run(new BatchWork(rows, out, List.of()), o -> {
+		new Batch(TestImages::resolve, Map.of(), false, false, Optional.empty())
+			.run(new BatchWork(rows, out, List.of()), o -> {
 			}, Progress.NONE);
 		page = out.resolve("batch.html");
 	}
