@@ -54,7 +54,8 @@ final class RidgeNoise {
 	private int add(final int tile, final float[] response, final int from, final int begin,
 		final int end) {
 		if (counts[tile] + (end - begin) / STRIDE + 1 > samples[tile].length)
-			samples[tile] = Arrays.copyOf(samples[tile], 2 * samples[tile].length + end - begin);
+			samples[tile] = Arrays.copyOf(samples[tile],
+				2 * samples[tile].length + end - begin);
 		final int[] of = samples[tile];
 		int count = counts[tile], x = begin;
 		for (; x < end; x += STRIDE) {

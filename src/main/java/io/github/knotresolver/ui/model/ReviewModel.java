@@ -1,8 +1,13 @@
 package io.github.knotresolver.ui.model;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 
@@ -12,6 +17,7 @@ import io.github.knotresolver.io.Failure;
 import io.github.knotresolver.model.Alternative;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.Constraint.Kind;
+import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Tracks;
@@ -255,8 +261,9 @@ public final class ReviewModel extends ResultView implements AutoCloseable {
 		@Override
 		public void answered(final List<Constraint> said, final Tracks answer) {
 			change(said, () -> {
-				show(answer.saying(said()), tracks().filter(t -> ready)
-					.map(before -> Changes.between(before, answer)).orElse(new TreeSet<>()));
+				show(answer.saying(said()),
+					tracks().filter(t -> ready).map(before -> Changes.between(before, answer))
+						.orElse(new TreeSet<>()));
 				ready = true;
 				solved = history;
 				rest();

@@ -178,15 +178,16 @@ class ReviewModelTest {
 				final int frame = t, number = id;
 				final boolean swapped = said.stream()
 					.filter(c -> c.kind() == Kind.SWAP && c.frame() <= frame).count() % 2 == 1;
-				final Optional<Polyline> given = said.stream().filter(
-					c -> c.frame() == frame && c.filament() == number && c.kind() == Kind.CONTOUR)
+				final Optional<Polyline> given = said.stream()
+					.filter(c -> c.frame() == frame && c.filament() == number
+						&& c.kind() == Kind.CONTOUR)
 					.map(Constraint::shape).findFirst();
 				frames.add(new Observation(t,
 					given.isPresent() ? FrameStatus.CORRECTED : FrameStatus.RESOLVED, "",
 					Optional.of(given.orElse(line(id == 1 == swapped ? 20 : 3))), 0, 1, 0, 0.8));
 			}
-			filaments
-				.add(new FilamentTrack(id, Anchor.FREE, Optional.empty(), 29, Double.NaN, frames));
+			filaments.add(
+				new FilamentTrack(id, Anchor.FREE, Optional.empty(), 29, Double.NaN, frames));
 		}
 		return new Tracks(MOVIE, Settings.DEFAULT.edit().constraints(said).build(), filaments,
 			List.of());
