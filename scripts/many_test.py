@@ -15,7 +15,6 @@ import time
 import small_movies
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-OPTIONS = ['--no-plots']
 
 
 def digest(folder):
@@ -137,6 +136,9 @@ def main():
         'the same bytes, also if batch or workflow are killed in the middle and run again.'))
     parser.add_argument('--movies', type=int, default=200, help='how many [200]')
     parser.add_argument('--batch-size', type=int, default=10, help='movies in a job of the workflow [10]')
+    parser.add_argument('--options', default='--no-plots', help=(
+        'options for all movies [--no-plots]; the published method is the quickest: '
+        '"--no-plots --candidates paper --resolver paper --no-refine"'))
     parser.add_argument('--alone', type=int, default=1, metavar='K', help=(
         'one by one means a process for each K-th movie, and one batch of one movie at a time for the others [1]'))
     parser.add_argument('--only', choices=['batch', 'workflow'], help='one of the two ways [both]')
@@ -145,7 +147,7 @@ def main():
     options = parser.parse_args()
     if options.movies < 4:
         parser.error('--movies must be at least 4, but is %d' % options.movies)
-    faults = []
+    faults, told = [], options.options.split()
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as home:
         at = lambda *names: os.path.join(home, *names)
         small_movies.make(at('movies'), options.movies)
@@ -153,15 +155,15 @@ def main():
         program = shlex.split(options.program)
         start = time.time()
         subprocess.run(program + ['batch', at('movies'), '--out', at('single'), '--movies', '1', '--threads', '1']
-                       + OPTIONS, check=True, capture_output=True)
+                       + told, check=True, capture_output=True)
         for name in sorted(os.listdir(at('movies')))[::options.alone]:
             shutil.rmtree(at('single', name[:-4]))
-            subprocess.run(program + ['resolve', at('movies', name), '--out', at('single', name[:-4])] + OPTIONS,
+            subprocess.run(program + ['resolve', at('movies', name), '--out', at('single', name[:-4])] + told,
                            check=True, capture_output=True)
         reference = finished(at('single'))
         report('one by one', len(reference), '', time.time() - start, [])
         if options.only != 'workflow':
-            batch = lambda out: Way('batch', program + ['batch', at('movies'), '--out', at(out)] + OPTIONS, at(out),
+            batch = lambda out: Way('batch', program + ['batch', at('movies'), '--out', at(out)] + told, at(out),
                                     at(out + '.log'))
             faults += undisturbed(batch('batch'), reference)
             faults += killed_and_again(batch('batch-killed'), reference, os.cpu_count())
@@ -170,7 +172,7 @@ def main():
         elif options.only != 'batch':
             workflow = lambda out: Way('workflow', [
                 os.path.join(ROOT, 'scripts', 'workflow'), at('movies'), '--out', at(out), '--batch-size',
-                str(options.batch_size), '--options', ' '.join(OPTIONS)], at(out), at(out + '.log'),
+                str(options.batch_size), '--options', ' '.join(told)], at(out), at(out + '.log'),
                 {'KNOTRESOLVER': program[0]} if len(program) == 1 else {})
             planned = subprocess.run(workflow('workflow').command + ['--dry-run'], env=workflow('workflow').environment,
                                      capture_output=True, text=True)

@@ -135,7 +135,7 @@ class RunIdentityTest {
 		Files.move(result("movie", identity(Map.of("iterations", "12"))), out.resolve("movie"));
 		Files.createDirectory(out.resolve("MOVIE-2"));
 		final BatchFolders folders = BatchFolders.of(out, List.of(row, twice, other), Map.of(),
-			Progress.NONE);
+			BatchFolders.Rows.ALL, Progress.NONE);
 		assertEquals(new BatchFolders.Place("kept", true), folders.place(row));
 		assertEquals(new BatchFolders.Place("movie-2", false), folders.place(other));
 		assertEquals(new BatchFolders.Place("movie", false), folders.place(twice));
