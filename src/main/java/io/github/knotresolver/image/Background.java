@@ -13,20 +13,8 @@ import io.github.knotresolver.geometry.RobustStatistics;
 /** What a frame would be without its lines. */
 public final class Background {
 
-	/** Edge of a cell in pixels; a cell is the mean of its pixels. */
-	private static final int CELL = 4;
-
 	/** Gaussians over cells: the fine one where it has enough pixels, else the next. */
 	private static final double[] SIGMAS = {2, 5, 12, 40};
-
-	/** Pixels that are enough for a Gaussian: this part of all under it. */
-	private static final double ENOUGH = 0.15;
-
-	/** Pixels farther than this many times their spread from the background are not part of it. */
-	private static final double OUTLIER = 3.5;
-
-	/** Rounds in which outliers are left out. */
-	private static final int ROUNDS = 2;
 
 	private Background() {
 	}
@@ -66,8 +54,8 @@ public final class Background {
 		for (int i = 0; i < out.length; i++)
 			out[i] |= !Float.isFinite(pixels[i]);
 		float[] background = smooth(pixels, width, out);
-		for (int round = 0; round < ROUNDS; round++) {
-			final double limit = OUTLIER * spread(pixels, background, out);
+		for (int round = 0; round < ImageTuning.BACKGROUND_ROUNDS; round++) {
+			final double limit = ImageTuning.OUTLIER * spread(pixels, background, out);
 			for (int i = 0; i < out.length; i++)
 				out[i] |= Math.abs(pixels[i] - background[i]) > limit;
 			background = smooth(pixels, width, out);
@@ -93,12 +81,12 @@ public final class Background {
 
 	private static float[] smooth(final float[] pixels, final int width, final boolean[] out) {
 		final int height = pixels.length / width;
-		final int columns = (width + CELL - 1) / CELL, rows = (height + CELL - 1) / CELL;
+		final int columns = (width + ImageTuning.CELL - 1) / ImageTuning.CELL, rows = (height + ImageTuning.CELL - 1) / ImageTuning.CELL;
 		final float[] sums = new float[columns * rows], counts = new float[columns * rows];
 		double sum = 0, count = 0;
 		for (int i = 0; i < pixels.length; i++)
 			if (!out[i]) {
-				final int cell = i / width / CELL * columns + i % width / CELL;
+				final int cell = i / width / ImageTuning.CELL * columns + i % width / ImageTuning.CELL;
 				sums[cell] += pixels[i];
 				counts[cell]++;
 				sum += pixels[i];
@@ -117,7 +105,7 @@ public final class Background {
 			final float[] s = blur(sums, columns, sigma), n = blur(counts, columns, sigma);
 			boolean all = true;
 			for (int i = 0; i < cells.length; i++)
-				if (!done[i] && n[i] > ENOUGH * CELL * CELL) {
+				if (!done[i] && n[i] > ImageTuning.ENOUGH * ImageTuning.CELL * ImageTuning.CELL) {
 					cells[i] = s[i] / n[i];
 					done[i] = true;
 				} else
@@ -140,7 +128,7 @@ public final class Background {
 		for (int y = 0; y < height; y++)
 			for (int x = 0; x < width; x++)
 				out[y * width + x] = (float) Pixels.between(cells, columns,
-					(x - (CELL - 1) / 2.0) / CELL, (y - (CELL - 1) / 2.0) / CELL);
+					(x - (ImageTuning.CELL - 1) / 2.0) / ImageTuning.CELL, (y - (ImageTuning.CELL - 1) / 2.0) / ImageTuning.CELL);
 		return out;
 	}
 }

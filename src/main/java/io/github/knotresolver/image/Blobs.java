@@ -6,14 +6,8 @@ package io.github.knotresolver.image;
  */
 final class Blobs {
 
-	/** The curvature along is more than this part of that across. */
-	private static final double ROUND = 0.5;
-
 	/** A spot's mean curvature is above this part of the limit: 0.75 of it if it is just round, less for rounding. */
 	private static final double LEAST_MEAN = 0.7;
-
-	/** A spot and what its light does to the ridges around it reach this many line widths. */
-	private static final double REACH = 3;
 
 	/** Spots are looked for that are as wide as the line, and as wide as so many. */
 	private static final int WIDE = 2;
@@ -32,10 +26,10 @@ final class Blobs {
 		final double reach) {
 		width = hessian.width();
 		near = new boolean[clean.length];
-		mark(hessian, limit, 1, REACH * reach);
+		mark(hessian, limit, 1, ImageTuning.SPOT_REACH * reach);
 		if (Math.min(width, hessian.height()) >= 16 * WIDE)
 			mark(Hessian.of(Binning.mean(clean, width, WIDE), width / WIDE, sigma), limit, WIDE,
-				REACH * reach * WIDE);
+				ImageTuning.SPOT_REACH * reach * WIDE);
 	}
 
 	/** @return whether a pixel is near the middle of a spot */
@@ -59,7 +53,7 @@ final class Blobs {
 		if (!(mean > LEAST_MEAN * limit))
 			return false;
 		final double half = Math.hypot((h.xx()[at] - h.yy()[at]) / 2, h.xy()[at]);
-		return mean + half > limit && mean - half > ROUND * (mean + half);
+		return mean + half > limit && mean - half > ImageTuning.ROUND * (mean + half);
 	}
 
 	private static boolean isTop(final Hessian h, final int at) {

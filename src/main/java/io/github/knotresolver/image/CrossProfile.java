@@ -8,9 +8,6 @@ import java.util.List;
  * frame, then over frames. What lies beside a line here and there has no part in it.
  */
 public final class CrossProfile {
-
-	/** It reaches this many standard deviations of the line to both sides, in this many steps. */
-	private static final double REACH = 4;
 	private static final int STEPS = 64;
 
 	/** The maximum is looked for within a standard deviation of the middle. */
@@ -18,9 +15,6 @@ public final class CrossProfile {
 
 	/** The outermost samples are the background. */
 	private static final int OUTER = STEPS / 8;
-
-	/** Fewer pixels of skeleton give no profile. */
-	private static final int FEWEST = 20;
 
 	private CrossProfile() {
 	}
@@ -31,7 +25,7 @@ public final class CrossProfile {
 	 * @return brightness across the line; empty if there are too few pixels
 	 */
 	public static double[] of(final Ridges ridges, final int[] places) {
-		if (places.length <= FEWEST)
+		if (places.length <= ImageTuning.FEWEST_CREST)
 			return new double[0];
 		final double[] profile = new double[STEPS + 1];
 		final double[] values = new double[places.length];
@@ -89,7 +83,7 @@ public final class CrossProfile {
 	}
 
 	private static double offset(final int k) {
-		return REACH * (2.0 * k / STEPS - 1);
+		return ImageTuning.PROFILE_REACH * (2.0 * k / STEPS - 1);
 	}
 
 	private static double median(final double[] values) {

@@ -11,28 +11,17 @@ import java.util.Arrays;
  */
 public record Enlargement(int factor, boolean smooth) {
 
-	private static final int LARGEST = 8;
-
-	/** Share of all neighbours within blocks that are alike in a picture of blocks. */
-	private static final double BLOCKS = 0.98;
-
-	/** In noise, neighbours differ as much as pixels three apart; here, by less than this part. */
-	private static final double ALIKE = 0.5;
-
-	/** Pixels so far apart share no noise unless enlarged more than that. */
-	private static final int APART = 3;
-
 	/**
 	 * @param pixels a frame as it comes, row by row
 	 * @param width of a row
 	 * @return how it was enlarged, as far as can be seen; O(n)
 	 */
 	public static Enlargement of(final float[] pixels, final int width) {
-		for (int factor = LARGEST; factor > 1; factor--)
+		for (int factor = ImageTuning.LARGEST_BLOCK; factor > 1; factor--)
 			if (width >= 4 * factor && isOfBlocks(pixels, width, factor))
 				return new Enlargement(factor, false);
-		final double apart = difference(pixels, width, APART);
-		return new Enlargement(1, apart > 0 && difference(pixels, width, 1) < ALIKE * apart);
+		final double apart = difference(pixels, width, ImageTuning.APART);
+		return new Enlargement(1, apart > 0 && difference(pixels, width, 1) < ImageTuning.SMOOTHED * apart);
 	}
 
 	/** @return whether it was enlarged at all */
@@ -55,7 +44,7 @@ public record Enlargement(int factor, boolean smooth) {
 				alike += same ? 1 : 0;
 			}
 		}
-		return alike > BLOCKS * within && different > (1 - BLOCKS) * between
+		return alike > ImageTuning.ALIKE_IN_BLOCKS * within && different > (1 - ImageTuning.ALIKE_IN_BLOCKS) * between
 			&& different > within - alike;
 	}
 

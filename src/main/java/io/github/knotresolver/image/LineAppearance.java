@@ -22,21 +22,6 @@ public record LineAppearance(Polarity polarity, double sigma, int binning, doubl
 	/** Full width at half maximum of a Gaussian of standard deviation 1. */
 	public static final double FULL_WIDTH = 2 * Math.sqrt(2 * Math.log(2));
 
-	/** The thinnest line that pixels can show. */
-	private static final double THINNEST = 0.7;
-
-	/** The standard deviation of a line is this many working pixels at least, if wider than one. */
-	private static final double COARSE = 1.4;
-
-	/** The narrowest filter, in working pixels. */
-	private static final double NARROWEST = 0.8;
-
-	/** The clarity that is taken until it is measured. */
-	private static final double CLARITY = 8;
-
-	/** From this clarity on the filter may be narrower than the line, down to this part of it; below, wider, up to this many times it. */
-	private static final double CLEAR = 12, NARROW = 0.7, WIDEST = 1.75;
-
 	public LineAppearance {
 		if (polarity == Polarity.AUTO)
 			throw new IllegalArgumentException(
@@ -56,10 +41,10 @@ public record LineAppearance(Polarity polarity, double sigma, int binning, doubl
 	 * @return a first idea of the lines
 	 */
 	public static LineAppearance of(final Polarity polarity, final double sigma) {
-		final double s = Math.max(sigma, THINNEST);
-		final int binning = Math.max(1, (int) (s / COARSE));
-		return new LineAppearance(polarity, s, binning, Math.max(NARROWEST, s / binning),
-			Double.NaN, CLARITY);
+		final double s = Math.max(sigma, ImageTuning.THINNEST_LINE);
+		final int binning = Math.max(1, (int) (s / ImageTuning.COARSE_LINE));
+		return new LineAppearance(polarity, s, binning, Math.max(ImageTuning.NARROWEST_FILTER, s / binning),
+			Double.NaN, ImageTuning.USUAL_CLARITY);
 	}
 
 	/**
@@ -69,9 +54,9 @@ public record LineAppearance(Polarity polarity, double sigma, int binning, doubl
 	 * @return the same lines, looked for with that filter
 	 */
 	public LineAppearance asFineAsNoiseAllows(final double measured) {
-		final double share = Math.min(WIDEST, Math.max(NARROW, Math.sqrt(CLEAR / measured)));
+		final double share = Math.min(ImageTuning.WIDE_FILTER, Math.max(ImageTuning.NARROW_FILTER, Math.sqrt(ImageTuning.CLEAR_LINE / measured)));
 		return new LineAppearance(polarity, sigma, binning,
-			Math.max(NARROWEST, share * sigma / binning), reference, measured);
+			Math.max(ImageTuning.NARROWEST_FILTER, share * sigma / binning), reference, measured);
 	}
 
 	/**

@@ -18,21 +18,6 @@ public final class LineVote {
 	private static final double[] SIGMAS = {1, Math.sqrt(2)};
 	private static final int SCALES = BINNINGS.length * SIGMAS.length;
 
-	/** Pictures smaller than this are not looked at. */
-	private static final int SMALLEST = 12;
-
-	/** Times its noise that a line is at least; part of the range of brightness, likewise. */
-	private static final double CLEAR = 6, SHARE_OF_RANGE = 1e-4;
-
-	/** The smaller drop to the sides is more than this part of the mean. */
-	private static final double BALANCE = 0.25;
-
-	/** A line is this many filter widths long at least. */
-	private static final double LONG = 8;
-
-	/** From this on, the other sign's share of the vote makes it doubtful. */
-	private static final double DOUBTFUL = 0.5;
-
 	private final double[][] votes;
 
 	private LineVote(final double[][] votes) {
@@ -71,7 +56,7 @@ public final class LineVote {
 	 * @return whether the other sign has so much light that the choice may be wrong
 	 */
 	public boolean isDoubtful(final Polarity polarity) {
-		return largest(votes[polarity == Polarity.DARK ? 0 : 1]) > DOUBTFUL
+		return largest(votes[polarity == Polarity.DARK ? 0 : 1]) > ImageTuning.VOTE_DOUBT
 			* largest(votes[polarity == Polarity.DARK ? 1 : 0]);
 	}
 
@@ -108,7 +93,7 @@ public final class LineVote {
 		final double range = range(frame);
 		for (int k = 0; k < SCALES; k++) {
 			final int binning = BINNINGS[k / SIGMAS.length];
-			if (Math.min(width, frame.length / width) / binning < SMALLEST)
+			if (Math.min(width, frame.length / width) / binning < ImageTuning.SMALLEST_PICTURE)
 				continue;
 			final float[] coarse = Binning.mean(frame, width, binning);
 			final double sigma = SIGMAS[k % SIGMAS.length];
@@ -137,7 +122,7 @@ public final class LineVote {
 		}
 		final float[] low = noise.field();
 		for (int at = 0; at < low.length; at++)
-			low[at] = (float) Math.max(CLEAR * low[at], SHARE_OF_RANGE * range);
+			low[at] = (float) Math.max(ImageTuning.VOTE_NOISE * low[at], ImageTuning.VOTE_RANGE * range);
 		return low;
 	}
 
@@ -151,9 +136,9 @@ public final class LineVote {
 		final RidgeSides sides = new RidgeSides(hessian, ridges, sigma * Math.sqrt(2), low);
 		final boolean[] crest = new boolean[low.length];
 		for (int at = 0; at < crest.length; at++)
-			crest[at] = sides.isCrest(at) && !sides.isEdge(at) && sides.balance(at) > BALANCE;
+			crest[at] = sides.isCrest(at) && !sides.isEdge(at) && sides.balance(at) > ImageTuning.VOTE_BALANCE;
 		double sum = 0;
-		for (final int at : LongParts.of(crest, hessian.width(), LONG * sigma)) {
+		for (final int at : LongParts.of(crest, hessian.width(), ImageTuning.VOTE_LENGTH * sigma)) {
 			final double strength = ridges.strength(at) * Math.pow(sigma, 1.5);
 			sum += strength * strength;
 		}

@@ -9,20 +9,11 @@ import java.util.Arrays;
  */
 final class RidgeNoise {
 
-	/** Edge of a tile in pixels, about. */
-	private static final int TILE = 48;
-
 	/** Every third pixel along both axes is looked at. */
 	static final int STRIDE = 3;
 
-	/** This quantile of the magnitudes, and what it is for a standard deviation of 1. */
-	private static final double QUANTILE = 0.4, NORMAL = 0.5244;
-
-	/** A tile's noise is held within this factor of the middle one. */
-	private static final double FACTOR = 3;
-
-	/** The noise is at least this part of the largest response: a movie may have none. */
-	private static final double LEAST = 1e-3;
+	/** The quantile of the magnitudes that noise is measured from, if the standard deviation is 1. */
+	private static final double NORMAL = 0.5244;
 
 	private final int width, height, columns, rows;
 	/** Magnitudes as the bits of their floats, which are in the same order. */
@@ -33,8 +24,8 @@ final class RidgeNoise {
 	RidgeNoise(final int width, final int height) {
 		this.width = width;
 		this.height = height;
-		columns = (int) Math.max(1, Math.round((double) width / TILE));
-		rows = (int) Math.max(1, Math.round((double) height / TILE));
+		columns = (int) Math.max(1, Math.round((double) width / ImageTuning.NOISE_TILE));
+		rows = (int) Math.max(1, Math.round((double) height / ImageTuning.NOISE_TILE));
 		samples = new int[columns * rows][256];
 		counts = new int[columns * rows];
 	}
@@ -76,8 +67,8 @@ final class RidgeNoise {
 		final double[] sorted = tiles.clone();
 		Arrays.sort(sorted);
 		final double middle = sorted[sorted.length / 2];
-		final double least = Math.max(middle / FACTOR, Math.max(LEAST * largest, 1e-9));
-		final double most = Math.max(middle * FACTOR, least);
+		final double least = Math.max(middle / ImageTuning.NOISE_FACTOR, Math.max(ImageTuning.LEAST_NOISE * largest, 1e-9));
+		final double most = Math.max(middle * ImageTuning.NOISE_FACTOR, least);
 		for (int i = 0; i < calm.length; i++)
 			calm[i] = Math.min(Math.max(calm[i], least), most);
 		return interpolated(calm);
@@ -86,7 +77,7 @@ final class RidgeNoise {
 	private static double quantile(final int[] values, final int count) {
 		return count == 0
 			? 0
-			: Float.intBitsToFloat(smallest(values, count, (int) (QUANTILE * (count - 1))));
+			: Float.intBitsToFloat(smallest(values, count, (int) (ImageTuning.NOISE_QUANTILE * (count - 1))));
 	}
 
 	/** The value that would be at a place if the first so many were sorted; O(count). Hoare 1961, doi:10.1145/366622.366647. */

@@ -9,9 +9,6 @@ final class RidgeSides {
 	/** Where the negative lobes beside a line are looked for, in line widths. */
 	private static final double[] LOBES = {1.1, 1.45, 1.8};
 
-	/** An edge has a lobe of this part of the strength on one side, and none of this part on the other. */
-	private static final double LOBE = 0.5, NO_LOBE = 0.1;
-
 	private final Hessian hessian;
 	private final RidgeStrength ridges;
 	private final double reach;
@@ -82,7 +79,7 @@ final class RidgeSides {
 			&& strength > at(ridges.strengths(), x + s, y - c);
 		if (crest[at]) {
 			final double a = lobe(x, y, c, s), b = lobe(x, y, -c, -s);
-			edge[at] = Math.max(a, b) > -NO_LOBE * strength && Math.min(a, b) < -LOBE * strength;
+			edge[at] = Math.max(a, b) > -ImageTuning.NO_LOBE * strength && Math.min(a, b) < -ImageTuning.LOBE * strength;
 		}
 	}
 

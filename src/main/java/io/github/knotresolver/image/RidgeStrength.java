@@ -20,12 +20,6 @@ public final class RidgeStrength {
 	/** Number of directions. */
 	public static final int DIRECTIONS = 8;
 
-	/** The average along the line is a Gaussian of this many standard deviations of the filter. */
-	private static final double ALONG = 1.5;
-
-	/** The average ends at so many of its own standard deviations. */
-	private static final double REACH = 2;
-
 	/** Every third direction is a sample of the noise. */
 	private static final int SAMPLED = 3;
 
@@ -73,12 +67,12 @@ public final class RidgeStrength {
 	}
 
 	static RidgeStrength of(final Hessian hessian, final double sigma) {
-		return new Bank(hessian, ALONG * sigma).best();
+		return new Bank(hessian, ImageTuning.ALONG * sigma).best();
 	}
 
 	/** @return the response of one of the filters alone, at every pixel */
 	static float[] inDirection(final Hessian hessian, final double sigma, final int direction) {
-		final Bank bank = new Bank(hessian, ALONG * sigma);
+		final Bank bank = new Bank(hessian, ImageTuning.ALONG * sigma);
 		bank.look(direction);
 		return bank.best;
 	}
@@ -145,7 +139,7 @@ public final class RidgeStrength {
 			this.hessian = hessian;
 			width = hessian.width();
 			height = hessian.height();
-			reach = (int) Math.ceil(REACH * along);
+			reach = (int) Math.ceil(ImageTuning.ALONG_REACH * along);
 			weights = SeparableFilter.floats(SeparableFilter.gauss(2 * reach + 1, along));
 			best = new float[width * height];
 			padded = new float[width + 2 * reach];

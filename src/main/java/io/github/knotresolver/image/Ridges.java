@@ -11,18 +11,6 @@ import io.github.knotresolver.model.Polarity;
  */
 public final class Ridges {
 
-	/** A line is this many times its noise, and this part of the usual strength, at least. */
-	private static final double LOW = 2.5, LOW_SHARE = 0.1;
-
-	/** So is a line that is beyond doubt. */
-	private static final double HIGH = 5, HIGH_SHARE = 0.25;
-
-	/** A pixel belongs to a line if it is above this part of the strongest nearby; on a crest, of this. */
-	private static final double RELATIVE = 0.4, RELATIVE_ON_CREST = 0.2;
-
-	/** A line is not thinner than this variance, in working px². */
-	private static final double THINNEST = 0.25;
-
 	private final LineAppearance appearance;
 	private final int width;
 	private final float[] clean;
@@ -39,7 +27,7 @@ public final class Ridges {
 		strength = RidgeStrength.of(hessian, appearance.filterSigma());
 		low = new float[clean.length];
 		for (int at = 0; at < low.length; at++)
-			low[at] = limit(at, LOW, LOW_SHARE);
+			low[at] = limit(at, ImageTuning.LOW, ImageTuning.LOW_SHARE);
 		sides = new RidgeSides(hessian, strength, appearance.blurredSigma(), low);
 		blobs = new Blobs(clean, hessian, appearance.filterSigma(), low, appearance.blurredSigma());
 	}
@@ -147,7 +135,7 @@ public final class Ridges {
 	 * @return whether a line is beyond doubt there
 	 */
 	public boolean isSure(final int at) {
-		return sides.isCrest(at) && strength.strength(at) > limit(at, HIGH, HIGH_SHARE);
+		return sides.isCrest(at) && strength.strength(at) > limit(at, ImageTuning.HIGH, ImageTuning.HIGH_SHARE);
 	}
 
 	/**
@@ -162,7 +150,7 @@ public final class Ridges {
 		final double ratio = sides.drop(at) / (strength.strength(at) * t * t / 2);
 		final double variance = t * t / (2 * exponent(ratio)) - f * f;
 		return LineAppearance.FULL_WIDTH * appearance.binning()
-			* Math.sqrt(Math.max(THINNEST, variance));
+			* Math.sqrt(Math.max(ImageTuning.LEAST_VARIANCE, variance));
 	}
 
 	/** @return u with (1 - exp(-u)) / u = ratio, 0.002..20 */
@@ -198,7 +186,7 @@ public final class Ridges {
 	}
 
 	private double relative(final int at) {
-		return appearance.hasReference() && sides.isCrest(at) ? RELATIVE_ON_CREST : RELATIVE;
+		return appearance.hasReference() && sides.isCrest(at) ? ImageTuning.RELATIVE_ON_CREST : ImageTuning.RELATIVE;
 	}
 
 	private float limit(final int at, final double noises, final double share) {
