@@ -11,9 +11,6 @@ import java.util.Arrays;
  */
 final class AdditiveTerm implements ImageTerm {
 
-	/** Links whose contribution to a pixel is below this are left out. */
-	private static final double DARK = 1e-4;
-
 	private final NormalizedFrame frame;
 	private final double[] brightness;
 	private final double sigma2;
@@ -140,7 +137,7 @@ final class AdditiveTerm implements ImageTerm {
 				final double t = px * ux + py * uy, n = px * -uy + py * ux;
 				final double across = brightness[i] * gauss.at(n * n);
 				final double value = across * (cumulative(t) - cumulative(t - l));
-				if (value < DARK)
+				if (value < FitTuning.DRAWN_DARK)
 					continue;
 				final int at = row * frame.width() + column;
 				if (head[at] == -1 && model[at] == 0)

@@ -17,14 +17,8 @@ public record Bleaching(double rate) {
 	/** A filament that neither fades nor brightens. */
 	public static final Bleaching NONE = new Bleaching(0);
 
-	/** A change over the whole movie below this (relative) is not corrected. */
-	private static final double NOTICEABLE = 0.1;
-
-	/** So many frames, spread evenly over the movie, say all that can be said. */
-	private static final int MOST_FRAMES = 2000;
-
 	/**
-	 * Learns the rate, from {@value #MOST_FRAMES} frames at most. O(frames²) for these.
+	 * Learns the rate, from {@value FitTuning#BLEACHING_FRAMES} frames at most. O(frames²) for these.
 	 *
 	 * @param brightness of the filament in each frame, above the background; NaN or not
 	 *          positive where it is not known
@@ -42,17 +36,17 @@ public record Bleaching(double rate) {
 			return NONE;
 		Arrays.sort(slopes, 0, count);
 		final double rate = -slopes[count / 2];
-		return Math.abs(rate) * (brightness.length - 1) < NOTICEABLE ? NONE : new Bleaching(rate);
+		return Math.abs(rate) * (brightness.length - 1) < FitTuning.BLEACHED ? NONE : new Bleaching(rate);
 	}
 
 	/** Frames with a known brightness; if they are many, some that are spread evenly. */
 	private static int[] known(final double[] brightness) {
 		final int[] all = IntStream.range(0, brightness.length).filter(t -> brightness[t] > 0)
 			.toArray();
-		return all.length <= MOST_FRAMES
+		return all.length <= FitTuning.BLEACHING_FRAMES
 			? all
-			: IntStream.range(0, MOST_FRAMES)
-				.map(i -> all[(int) ((long) i * (all.length - 1) / (MOST_FRAMES - 1))]).toArray();
+			: IntStream.range(0, FitTuning.BLEACHING_FRAMES)
+				.map(i -> all[(int) ((long) i * (all.length - 1) / (FitTuning.BLEACHING_FRAMES - 1))]).toArray();
 	}
 
 	/**

@@ -18,24 +18,6 @@ import io.github.knotresolver.fit.LineEstimator.Example;
  */
 final class BrightnessProfile {
 
-	/** Distance of the profile's knots in pixels, about. */
-	private static final double SPACING = 12;
-
-	private static final int FEWEST_KNOTS = 4;
-	private static final int MOST_KNOTS = 12;
-
-	/** Weight of being 1, in pixels of a strand. */
-	private static final double HOLD = 5;
-
-	/** So much of that weight stays where a profile is held straight, that all knots are known. */
-	private static final double SLIGHT = 0.02;
-
-	/** A profile that stays within this of 1 is taken to be uniform. */
-	private static final double NOTICEABLE = 0.15;
-
-	private static final double DIMMEST = 0.25;
-	private static final double BRIGHTEST = 2;
-
 	private BrightnessProfile() {
 	}
 
@@ -46,17 +28,17 @@ final class BrightnessProfile {
 	 */
 	static double[] estimate(final List<Example> examples, final Estimate line) {
 		final double length = examples.get(0).chain().length();
-		final int knots = Math.max(FEWEST_KNOTS,
-			Math.min(MOST_KNOTS, 1 + (int) Math.rint(length / SPACING)));
+		final int knots = Math.max(FitTuning.FEWEST_KNOTS,
+			Math.min(FitTuning.MOST_KNOTS, 1 + (int) Math.rint(length / FitTuning.KNOT_SPACING)));
 		final double[][] matrix = new double[knots][knots];
 		final double[] right = new double[knots];
-		hold(matrix, right, HOLD * examples.size());
+		hold(matrix, right, FitTuning.PROFILE_HOLD * examples.size());
 		for (final Example example : examples)
 			add(example, line, matrix, right);
 		if (!noticeable(solved(matrix, right)))
 			return new double[]{1};
-		hold(matrix, right, -(1 - SLIGHT) * HOLD * examples.size());
-		holdStraight(matrix, HOLD * examples.size());
+		hold(matrix, right, -(1 - FitTuning.PROFILE_PULL) * FitTuning.PROFILE_HOLD * examples.size());
+		holdStraight(matrix, FitTuning.PROFILE_HOLD * examples.size());
 		final double[] profile = solved(matrix, right);
 		noticeable(profile);
 		return profile;
@@ -124,8 +106,8 @@ final class BrightnessProfile {
 	private static boolean noticeable(final double[] profile) {
 		boolean varies = false;
 		for (int k = 0; k < profile.length; k++) {
-			profile[k] = Math.max(DIMMEST, Math.min(BRIGHTEST, profile[k]));
-			varies |= Math.abs(profile[k] - 1) > NOTICEABLE;
+			profile[k] = Math.max(FitTuning.DIMMEST, Math.min(FitTuning.BRIGHTEST, profile[k]));
+			varies |= Math.abs(profile[k] - 1) > FitTuning.UNEVEN;
 		}
 		return varies;
 	}

@@ -13,13 +13,6 @@ import io.github.knotresolver.geometry.Polyline;
  */
 public final class Chain {
 
-	/** A curvature is taken over so many links to both sides. */
-	private static final int NEAR_LINKS = 3;
-
-	/** Links of the chains of a scene: about so long (pixels), and at least so many. */
-	private static final double SCENE_LINK = 3;
-	private static final int FEWEST_LINKS = 8;
-
 	private final double x0;
 	private final double y0;
 	private final double[] theta;
@@ -75,7 +68,7 @@ public final class Chain {
 	 * @return the number of links of a filament of a scene
 	 */
 	public static int linksInScene(final double length) {
-		return Math.max(FEWEST_LINKS, (int) Math.rint(length / SCENE_LINK));
+		return Math.max(FitTuning.FEWEST_LINKS, (int) Math.rint(length / FitTuning.LINK));
 	}
 
 	/**
@@ -234,8 +227,8 @@ public final class Chain {
 
 	/** Mean change of direction from link to link near a link, in radians. */
 	private double curvature(final int at) {
-		final int from = Math.max(0, at - NEAR_LINKS),
-			to = Math.min(theta.length - 1, at + NEAR_LINKS);
+		final int from = Math.max(0, at - FitTuning.NEAR_LINKS),
+			to = Math.min(theta.length - 1, at + FitTuning.NEAR_LINKS);
 		return (theta[to] - theta[from]) / (to - from);
 	}
 

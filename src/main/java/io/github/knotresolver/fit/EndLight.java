@@ -18,35 +18,11 @@ import io.github.knotresolver.geometry.Polyline;
  */
 public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 
-	/** Length of a piece in line widths (sigma). */
-	private static final double PIECE = 3;
-
 	/** Headings that are tried, relative to the end's, in radians. */
 	private static final double[] TURNS = {0, 0.3, -0.3, 0.6, -0.6, 0.9, -0.9};
 
-	/** A piece is there if it is brighter than so many standard errors of its brightness ... */
-	private static final double SURE = 5;
-
-	/** ... and than this part of the end's brightness. */
-	private static final double BRIGHT = 0.3;
-
-	/** A last piece with less than this part of its brightness is dark. */
-	private static final double DARK = 0.25;
-
-	/** A piece of which less than this is inside the frame and not hidden says nothing. */
-	private static final double LEAST_SEEN = 0.2;
-
-	/** No end moves by more than so many pieces. */
-	private static final int MOST_PIECES = 60;
-
-	/** The direction of an end is taken over so many links. */
-	private static final int END_LINKS = 2;
-
-	/** Noise below this cannot be told from errors of the model. */
-	private static final double LEAST_NOISE = 0.03;
-
 	public EndLight {
-		noise = Math.max(LEAST_NOISE, noise);
+		noise = Math.max(FitTuning.END_NOISE, noise);
 	}
 
 	/**
@@ -60,7 +36,7 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 
 		/** @return whether the filament goes on here */
 		public boolean isThere() {
-			return sureness > SURE && brightness > BRIGHT;
+			return sureness > FitTuning.PIECE_SURE && brightness > FitTuning.PIECE_BRIGHT;
 		}
 
 		/** @return whether there is anything to see here: the piece is in the frame, not hidden */
@@ -71,7 +47,7 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 
 	/** @return length of a piece in pixels */
 	public double piece() {
-		return Math.max(3, PIECE * model.in(frame).sigma());
+		return Math.max(3, FitTuning.PIECE * model.in(frame).sigma());
 	}
 
 	/**
@@ -80,7 +56,7 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 	 */
 	public Piece beyondTip(final Chain chain) {
 		final Point tip = chain.tip();
-		final double heading = chain.angle(Math.max(0, chain.links() - END_LINKS));
+		final double heading = chain.angle(Math.max(0, chain.links() - FitTuning.END_LINKS));
 		Piece best = new Piece(0, 0, heading);
 		final Window window = new Window(tip, chain);
 		for (final double turn : TURNS) {
@@ -100,7 +76,7 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 		final double length = chain.length(), piece = Math.min(piece(), length / 4);
 		final Chain shorter = chain.resized(length - piece);
 		final Window window = new Window(shorter.tip(), shorter);
-		return window.piece(shorter.tip(), chain.angle(Math.max(0, chain.links() - END_LINKS)));
+		return window.piece(shorter.tip(), chain.angle(Math.max(0, chain.links() - FitTuning.END_LINKS)));
 	}
 
 	/**
@@ -112,8 +88,8 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 		final Piece tip = beyondTip(chain);
 		final Piece start = new EndLight(frame, model.reversed(), noise)
 			.beyondTip(chain.reversed());
-		return Math.max(tip.sureness > SURE ? tip.brightness : 0,
-			start.sureness > SURE ? start.brightness : 0);
+		return Math.max(tip.sureness > FitTuning.PIECE_SURE ? tip.brightness : 0,
+			start.sureness > FitTuning.PIECE_SURE ? start.brightness : 0);
 	}
 
 	/**
@@ -129,16 +105,16 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 
 	private Chain settledTip(final Chain chain) {
 		Chain grown = chain;
-		for (int i = 0; i < MOST_PIECES; i++) {
+		for (int i = 0; i < FitTuning.MOST_PIECES; i++) {
 			final Piece piece = beyondTip(grown);
 			if (!piece.isThere())
 				break;
 			grown = longer(grown, piece.angle);
 		}
 		if (grown == chain)
-			for (int i = 0; i < MOST_PIECES && grown.length() > 4 * piece(); i++) {
+			for (int i = 0; i < FitTuning.MOST_PIECES && grown.length() > 4 * piece(); i++) {
 				final Piece last = beforeTip(grown);
-				if (!last.isSeen() || last.brightness > DARK)
+				if (!last.isSeen() || last.brightness > FitTuning.PIECE_DARK)
 					break;
 				grown = grown.resized(grown.length() - piece());
 			}
@@ -202,7 +178,7 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 				light += own * (part.pixels()[i] - drawn[i]);
 				norm += own * own;
 			}
-			return norm < LEAST_SEEN * length * model.in(frame).sigma()
+			return norm < FitTuning.PIECE_SEEN * length * model.in(frame).sigma()
 				? new Piece(0, 0, angle)
 				: new Piece(light / norm / expected, light / (noise * Math.sqrt(norm)), angle);
 		}

@@ -24,34 +24,8 @@ import io.github.knotresolver.progress.Workers;
  */
 public final class FilamentEstimator {
 
-	private static final int ROUNDS = 3;
-
-	/**
-	 * Rounds for a filament that is not equally bright everywhere: at least so many, and at most,
-	 * until the length changes by less than a part.
-	 */
-	private static final int FEWEST_BRIGHTNESS_ROUNDS = 3, MOST_BRIGHTNESS_ROUNDS = 12;
-	private static final double SETTLED = 1e-3;
-
-	/** So many frames are enough to learn the line. */
-	private static final int LINE_EXAMPLES = 5;
-
-	/** A fitted frame whose length is farther off (relative) does not vote. */
-	private static final double OUTLIER = 0.06;
-
-	/** So many lengths must agree for their spread to say something. */
-	private static final int FEWEST_VOTES = 3;
-
-	/** What is wider (sigma, pixels) is not a line. */
-	private static final double WIDEST = 5.5;
-
-	/** A profile with a smaller power is a Gaussian. */
-	private static final double FLAT = 1.06;
-
 	/** A clipped line explains all but this share of the pixels' variance, or is none that adds up. */
 	private static final double WELL = 0.15;
-
-	private static final double FIRST_SIGMA = 1.8;
 
 	private FilamentEstimator() {
 	}
@@ -86,7 +60,7 @@ public final class FilamentEstimator {
 	private record Learned(List<Example> examples, Estimate line) {
 
 		boolean isLine() {
-			return line.amplitude() > 0 && line.residual() < 1 && line.model().sigma() < WIDEST;
+			return line.amplitude() > 0 && line.residual() < 1 && line.model().sigma() < FitTuning.WIDEST_LINE;
 		}
 
 		/**
@@ -98,7 +72,7 @@ public final class FilamentEstimator {
 			final boolean additive = line.model().kind() == LineModel.Kind.ADDITIVE;
 			return examples.get(0).frame().isClipped()
 				? !additive || line.unexplained() < WELL
-				: additive || line.model().power() > FLAT;
+				: additive || line.model().power() > FitTuning.FLAT_POWER;
 		}
 
 		FilamentEstimate summary() {
@@ -109,20 +83,20 @@ public final class FilamentEstimator {
 	private static Learned learn(final List<Example> seen, final LineModel.Kind kind,
 		final Workers workers, final Progress progress) {
 		List<Example> examples = seen;
-		Estimate line = line(examples, kind, FIRST_SIGMA, progress);
-		for (int round = 0; round < ROUNDS && line.isVisible(); round++) {
+		Estimate line = line(examples, kind, FitTuning.FIRST_WIDTH, progress);
+		for (int round = 0; round < FitTuning.LINE_ROUNDS && line.isVisible(); round++) {
 			examples = refit(examples, line, round == 0, workers, progress);
 			line = line(examples, kind, line.model().sigma(), progress);
 		}
-		for (int round = 0; round < MOST_BRIGHTNESS_ROUNDS && line.isVisible(); round++) {
+		for (int round = 0; round < FitTuning.MOST_PROFILE_ROUNDS && line.isVisible(); round++) {
 			final double[] brightness = BrightnessProfile.estimate(examples, line);
 			if (brightness.length == 1)
 				break;
 			line = line.withModel(line.model().withBrightness(brightness));
 			final double before = usualLength(examples);
 			examples = refit(examples, line, false, workers, progress);
-			if (round + 1 >= FEWEST_BRIGHTNESS_ROUNDS
-				&& Math.abs(usualLength(examples) / before - 1) < SETTLED)
+			if (round + 1 >= FitTuning.FEWEST_PROFILE_ROUNDS
+				&& Math.abs(usualLength(examples) / before - 1) < FitTuning.PROFILE_SETTLED)
 				break;
 		}
 		return new Learned(examples, line);
@@ -134,7 +108,7 @@ public final class FilamentEstimator {
 
 	private static Estimate line(final List<Example> examples, final LineModel.Kind kind,
 		final double sigma, final Progress progress) {
-		return LineEstimator.estimate(examples.subList(0, Math.min(LINE_EXAMPLES, examples.size())),
+		return LineEstimator.estimate(examples.subList(0, Math.min(FitTuning.LINE_EXAMPLES, examples.size())),
 			kind, sigma, progress);
 	}
 
@@ -179,11 +153,11 @@ public final class FilamentEstimator {
 		final double[] lengths = examples.stream().mapToDouble(e -> e.chain().length()).sorted()
 			.toArray();
 		final double middle = median(lengths);
-		final double[] good = Arrays.stream(lengths).filter(l -> Math.abs(l / middle - 1) < OUTLIER)
+		final double[] good = Arrays.stream(lengths).filter(l -> Math.abs(l / middle - 1) < FitTuning.LENGTH_OUTLIER)
 			.toArray();
 		final double length = good.length == 0 ? middle : median(good);
 		final double[] off = Arrays.stream(good).map(l -> Math.abs(l - length)).sorted().toArray();
-		final double error = good.length < FEWEST_VOTES
+		final double error = good.length < FitTuning.FEWEST_VOTES
 			? Double.NaN
 			: RobustStatistics.MAD_TO_SD * median(off) * RobustStatistics.MEDIAN_TO_MEAN_ERROR
 				/ Math.sqrt(good.length);

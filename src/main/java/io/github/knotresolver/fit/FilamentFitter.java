@@ -20,14 +20,6 @@ import io.github.knotresolver.progress.Cancellation;
  */
 public final class FilamentFitter {
 
-	/** Largest change of a link's direction in one step, in radians. */
-	private static final double LARGEST_TURN = 0.5;
-
-	/** Largest relative change of the length in one step. */
-	private static final double LARGEST_STRETCH = 0.1;
-
-	private static final int ATTEMPTS = 7;
-
 	private final ImageTerm image;
 	private final Optional<Point> clamp;
 	private final FitSettings settings;
@@ -84,7 +76,7 @@ public final class FilamentFitter {
 			addPriors(system, chain, predicted);
 			final double before = energy;
 			Chain best = null;
-			for (int attempt = 0; attempt < ATTEMPTS && best == null; attempt++) {
+			for (int attempt = 0; attempt < FitTuning.ATTEMPTS && best == null; attempt++) {
 				Cancellation.check();
 				final Chain trial = step(system, chain, damping, freeLength);
 				final double trialLight = trial == null ? Double.NaN : light(trial, null);
@@ -186,8 +178,8 @@ public final class FilamentFitter {
 		double turn = 0;
 		for (int i = 2; i < links + 2; i++)
 			turn = Math.max(turn, Math.abs(step[i]));
-		final double scale = turn > LARGEST_TURN ? LARGEST_TURN / turn : 1;
-		final double largest = LARGEST_STRETCH * chain.linkLength();
+		final double scale = turn > FitTuning.LARGEST_TURN ? FitTuning.LARGEST_TURN / turn : 1;
+		final double largest = FitTuning.LARGEST_STRETCH * chain.linkLength();
 		final double stretch = freeLength
 			? Math.max(-largest, Math.min(largest, scale * step[links + 2]))
 			: 0;

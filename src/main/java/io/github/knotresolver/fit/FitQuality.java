@@ -10,12 +10,6 @@ package io.github.knotresolver.fit;
  */
 public record FitQuality(double misfit, double dark) {
 
-	/** Pixels within this distance count as around the chain. */
-	private static final double RADIUS = 7;
-
-	/** Light below this share of a strand's is hardly any. */
-	private static final double DARK = 0.35;
-
 	/**
 	 * Looks at a chain in its frame. O(length).
 	 *
@@ -27,7 +21,7 @@ public record FitQuality(double misfit, double dark) {
 	public static FitQuality of(final NormalizedFrame frame, final LineModel model,
 		final Chain chain) {
 		final double[] picture = ChainPixels.draw(frame, model, chain);
-		final boolean[] near = ChainPixels.of(frame, chain, RADIUS);
+		final boolean[] near = ChainPixels.of(frame, chain, FitTuning.QUALITY_RADIUS);
 		double sum = 0;
 		for (int i = 0; i < picture.length; i++)
 			if (near[i])
@@ -47,7 +41,7 @@ public record FitQuality(double misfit, double dark) {
 				|| middleY > frame.height() - 1)
 				continue;
 			inside++;
-			if (frame.meanAround(middleX, middleY) >= DARK * brightness[i]
+			if (frame.meanAround(middleX, middleY) >= FitTuning.DARK_STRAND * brightness[i]
 				|| frame.isClipped(middleX, middleY))
 				bright++;
 		}

@@ -12,15 +12,6 @@ import io.github.knotresolver.progress.Progress;
  */
 public final class LineEstimator {
 
-	/** Pixels farther than this from the curve are not looked at. */
-	private static final double NEIGHBOURHOOD = 9;
-
-	private static final double SMALLEST_SIGMA = 0.7;
-	private static final double LARGEST_SIGMA = 6;
-	private static final double SMALLEST_POWER = 1;
-	private static final double LARGEST_POWER = 6;
-	private static final int MOST_EVALUATIONS = 120;
-
 	/** Rounds in which it is settled which of the pixels that were cut off are too bright. */
 	private static final int CLIPPED_ROUNDS = 6;
 
@@ -49,7 +40,7 @@ public final class LineEstimator {
 		 * @param chains all its curves
 		 */
 		public Example(final NormalizedFrame frame, final List<Chain> chains) {
-			this(frame, chains, ChainPixels.of(frame, chains, NEIGHBOURHOOD));
+			this(frame, chains, ChainPixels.of(frame, chains, FitTuning.LINE_RADIUS));
 		}
 
 		/** @return the first curve */
@@ -105,20 +96,20 @@ public final class LineEstimator {
 		final boolean additive = kind == LineModel.Kind.ADDITIVE;
 		final double[] guess = additive ? new double[]{sigma} : new double[]{sigma, 1.5};
 		final double[] spread = additive ? new double[]{0.3} : new double[]{0.3, 0.4};
-		final double[] best = new SimplexSearch(1e-4, 1e-6, MOST_EVALUATIONS, progress)
+		final double[] best = new SimplexSearch(1e-4, 1e-6, FitTuning.SEARCH_STEPS, progress)
 			.lowest(p -> fit(examples, model(kind, p)).unexplained + outside(p), guess, spread);
 		return fit(examples, model(kind, best));
 	}
 
 	private static LineModel model(final LineModel.Kind kind, final double[] p) {
-		return LineModel.uniform(kind, clamp(p[0], SMALLEST_SIGMA, LARGEST_SIGMA),
-			p.length > 1 ? clamp(p[1], SMALLEST_POWER, LARGEST_POWER) : 1);
+		return LineModel.uniform(kind, clamp(p[0], FitTuning.SMALLEST_WIDTH, FitTuning.LARGEST_WIDTH),
+			p.length > 1 ? clamp(p[1], FitTuning.SMALLEST_POWER, FitTuning.LARGEST_POWER) : 1);
 	}
 
 	private static double outside(final double[] p) {
-		double off = Math.abs(p[0] - clamp(p[0], SMALLEST_SIGMA, LARGEST_SIGMA));
+		double off = Math.abs(p[0] - clamp(p[0], FitTuning.SMALLEST_WIDTH, FitTuning.LARGEST_WIDTH));
 		if (p.length > 1)
-			off += Math.abs(p[1] - clamp(p[1], SMALLEST_POWER, LARGEST_POWER));
+			off += Math.abs(p[1] - clamp(p[1], FitTuning.SMALLEST_POWER, FitTuning.LARGEST_POWER));
 		return off;
 	}
 

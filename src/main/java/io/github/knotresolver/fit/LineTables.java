@@ -9,9 +9,6 @@ import org.apache.commons.math3.special.Erf;
  */
 public final class LineTables {
 
-	/** An additive link is dark beyond so many sigma; in a scene, where time counts, fewer. */
-	private static final double ADDITIVE_REACH = 4.2, SCENE_REACH = 3.3;
-
 	private final LineModel model;
 	private final Robust robust;
 	private final double reach;
@@ -31,7 +28,7 @@ public final class LineTables {
 			? this
 			: new LineTables(LineModel.uniform(LineModel.Kind.ADDITIVE, model.sigma(), 1), robust);
 		if (model.kind() == LineModel.Kind.ADDITIVE) {
-			reach = model.sigma() * (robust == Robust.TOGETHER ? SCENE_REACH : ADDITIVE_REACH);
+			reach = model.sigma() * (robust == Robust.TOGETHER ? FitTuning.SCENE_REACH : FitTuning.ADDITIVE_REACH);
 			across = new Table(reach * reach, d2 -> Math.exp(-d2 / (2 * sigma2)));
 			along = new Table(reach, d -> 0.5 * Erf.erfc(d / Math.sqrt(2 * sigma2)));
 		} else {

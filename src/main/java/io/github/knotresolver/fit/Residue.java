@@ -15,23 +15,8 @@ import io.github.knotresolver.image.GaussianBlur;
  */
 public record Residue(double unexplained, double invented, double pattern) {
 
-	/** Light within this distance of the chain (pixels) is near. */
-	private static final double NEAR = 10;
-
-	/** Pixels within this distance (pixels) are around the chain. */
-	private static final double AROUND = 6;
-
-	/** A line of this brightness, in strands', is seen, if it is as far above the noise. */
-	private static final double SEEN = 0.25, NOISES = 5;
-
 	/** A line of a strand's brightness, blurred by its own width, is above half of its peak so far (sigmas). */
 	private static final double WIDTH = 3.3;
-
-	/** Residuals beyond this, in strands' brightnesses, count as this. */
-	private static final double OUTLIER = 0.5;
-
-	/** Noise below this (strands' brightnesses) cannot be told from errors of the model. */
-	private static final double LEAST_NOISE = 0.05;
 
 	/**
 	 * Looks at a chain in its frame. O(pixels).
@@ -44,16 +29,16 @@ public record Residue(double unexplained, double invented, double pattern) {
 	public static Residue of(final NormalizedFrame frame, final LineModel model,
 		final Chain chain) {
 		final double[] picture = ChainPixels.draw(frame, model, chain);
-		final double noise = Math.max(LEAST_NOISE, frame.noise());
+		final double noise = Math.max(FitTuning.RESIDUE_NOISE, frame.noise());
 		final float[] residual = new float[picture.length];
 		for (int i = 0; i < picture.length; i++)
-			residual[i] = (float) Math.max(-OUTLIER * 2,
-				Math.min(OUTLIER * 2, frame.residual(i, picture[i], model)));
+			residual[i] = (float) Math.max(-FitTuning.RESIDUE_OUTLIER * 2,
+				Math.min(FitTuning.RESIDUE_OUTLIER * 2, frame.residual(i, picture[i], model)));
 		final double sigma = Math.max(1, model.in(frame).sigma());
 		final float[] blurred = GaussianBlur.blur(residual, frame.width(), sigma);
-		final double threshold = Math.max(SEEN, NOISES * noise / (2 * Math.sqrt(Math.PI) * sigma));
-		final boolean[] near = ChainPixels.of(frame, chain, NEAR),
-			around = ChainPixels.of(frame, chain, AROUND);
+		final double threshold = Math.max(FitTuning.RESIDUE_SEEN, FitTuning.RESIDUE_NOISES * noise / (2 * Math.sqrt(Math.PI) * sigma));
+		final boolean[] near = ChainPixels.of(frame, chain, FitTuning.RESIDUE_NEAR),
+			around = ChainPixels.of(frame, chain, FitTuning.RESIDUE_AROUND);
 		int more = 0, less = 0, count = 0;
 		double sum = 0;
 		for (int i = 0; i < picture.length; i++) {
@@ -62,7 +47,7 @@ public record Residue(double unexplained, double invented, double pattern) {
 			if (near[i] && blurred[i] < -threshold)
 				less++;
 			if (around[i]) {
-				final double r = Math.min(OUTLIER, Math.abs(residual[i]));
+				final double r = Math.min(FitTuning.RESIDUE_OUTLIER, Math.abs(residual[i]));
 				sum += r * r;
 				count++;
 			}

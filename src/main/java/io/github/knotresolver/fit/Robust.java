@@ -8,20 +8,14 @@ package io.github.knotresolver.fit;
  */
 final class Robust {
 
-	/**
-	 * Residual at which the price of one filament begins to level off, in strand
-	 * intensities.
-	 */
-	static final double SCALE = 0.35;
-
 	/** For one filament among what is not modelled. */
-	static final Robust ALONE = new Robust(SCALE);
+	static final Robust ALONE = new Robust(FitTuning.ROBUST);
 
 	/**
 	 * For filaments that are all modelled: where strands lie close, a residual of a whole
 	 * strand must still pull.
 	 */
-	static final Robust TOGETHER = new Robust(2 * SCALE);
+	static final Robust TOGETHER = new Robust(2 * FitTuning.ROBUST);
 
 	private final double inverseSquare;
 

@@ -10,9 +10,6 @@ import java.util.Optional;
  */
 public final class SceneWindow {
 
-	/** So far may a chain move while it is fitted (pixels). */
-	static final double ROOM = 12;
-
 	private final Patch patch;
 	private final ImageTerm term;
 	private final NormalizedFrame left;

@@ -14,12 +14,6 @@ import io.github.knotresolver.geometry.Polyline;
  */
 public final class StartMaker {
 
-	/** Largest piece that is added straight on, in pixels. */
-	private static final double LARGEST_EXTENSION = 8;
-
-	/** Direction of the tip is taken over this arc length, in pixels. */
-	private static final double TIP = 6;
-
 	private StartMaker() {
 	}
 
@@ -69,7 +63,7 @@ public final class StartMaker {
 		final double missing = length - contour.length();
 		if (missing <= 0)
 			return contour.head(length);
-		return extended(contour, Math.min(missing, LARGEST_EXTENSION));
+		return extended(contour, Math.min(missing, FitTuning.EXTENSION));
 	}
 
 	/**
@@ -80,7 +74,7 @@ public final class StartMaker {
 	 * @return the longer curve
 	 */
 	static Polyline extended(final Polyline curve, final double by) {
-		final Point back = curve.at(curve.length() - TIP);
+		final Point back = curve.at(curve.length() - FitTuning.TIP_DIRECTION);
 		final Point tip = curve.last();
 		final double base = Math.max(1e-9, back.distanceTo(tip));
 		final List<Point> points = new ArrayList<>();

@@ -12,16 +12,6 @@ import java.util.List;
  */
 final class TipBeam {
 
-	/** Headings of a link relative to the one before: so many, so far apart (radians). */
-	private static final int HEADINGS = 13;
-	private static final double STEP = 0.3;
-
-	/** So many tips are kept from link to link, and so many are given. */
-	private static final int WIDTH = 12, GIVEN = 4;
-
-	/** Price of a turn against the light, as a share of the stiffness. */
-	private static final double TURN = 0.5;
-
 	private final NormalizedFrame light;
 	private final LineTables line;
 	private final double bend;
@@ -45,7 +35,7 @@ final class TipBeam {
 		final double h) {
 		this.light = light;
 		this.line = line.additive();
-		bend = TURN * stiffness / h;
+		bend = FitTuning.BEAM_TURN * stiffness / h;
 		this.h = h;
 	}
 
@@ -65,21 +55,21 @@ final class TipBeam {
 			.of(new Tip(x[kept], y[kept], new double[]{chain.angle(kept - 1)}, 0, left));
 		for (int i = 0; i < links; i++)
 			tips = longer(tips);
-		return tips.stream().limit(GIVEN)
+		return tips.stream().limit(FitTuning.BEAM_GIVEN)
 			.map(t -> chain.withTail(Arrays.copyOfRange(t.theta, 1, t.theta.length))).toList();
 	}
 
 	private List<Tip> longer(final List<Tip> tips) {
 		final List<Link> all = new ArrayList<>();
 		for (final Tip tip : tips)
-			for (int a = 0; a < HEADINGS; a++) {
-				final double turn = (a - HEADINGS / 2) * STEP;
+			for (int a = 0; a < FitTuning.HEADINGS; a++) {
+				final double turn = (a - FitTuning.HEADINGS / 2) * FitTuning.HEADING_STEP;
 				final double heading = tip.theta[tip.theta.length - 1] + turn;
 				all.add(new Link(tip, heading,
 					tip.gain + visit(tip.left, tip.x, tip.y, heading, false) - bend * turn * turn));
 			}
 		all.sort(Comparator.comparingDouble(Link::gain).reversed());
-		return all.stream().limit(WIDTH).map(this::drawn).toList();
+		return all.stream().limit(FitTuning.BEAM).map(this::drawn).toList();
 	}
 
 	private Tip drawn(final Link link) {
