@@ -146,7 +146,7 @@ final class FitTuning {
 
 	/**
 	 * [share] A fitted frame whose length is farther off does not vote. Why: fits of open frames
-	 * agree to two percent.
+	 * agree to less.
 	 */
 	static final double LENGTH_OUTLIER = 0.06;
 

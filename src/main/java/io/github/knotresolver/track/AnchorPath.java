@@ -29,22 +29,6 @@ record AnchorPath(List<Point> places, double[] weights) {
 	/** Weight of a place that is known. */
 	private static final double STRONGEST = FitSettings.DEFAULT.clampWeight();
 
-	/** Light says of so many frames at least where the end is, or the skeletons do. */
-	private static final int FEWEST = 5;
-
-	/** A skeleton ends about so much (pixels) before the filament does. */
-	private static final double HIDDEN = 2;
-
-	/** An end that stays is seen within this distance (pixels) in half of the frames ... */
-	private static final double SPREAD = 0.7, ROUGH_SPREAD = 3;
-
-	/** ... and within twice of that in this share of them. */
-	private static final double FAR_SHARE = 0.9;
-
-	/** Standard deviations (pixels) of an end as a fit of an open frame, any fit
-	 * and a skeleton say. */
-	private static final double LIGHT_NOISE = 0.3, FIT_NOISE = 0.5, SKELETON_NOISE = 1.5;
-
 	AnchorPath {
 		places = List.copyOf(places);
 		if (places.isEmpty() || weights.length != places.size())
@@ -99,7 +83,7 @@ record AnchorPath(List<Point> places, double[] weights) {
 	static AnchorPath follow(final List<FrameView> frames, final Point place,
 		final Progress progress) {
 		return EndPaths.past(FreeEnds.of(frames), place, GraphTuning.NEAR_CLAMP, progress)
-			.map(path -> along(path, frames.size(), HIDDEN))
+			.map(path -> along(path, frames.size(), TrackTuning.SKELETON_SHORT))
 			.orElseGet(() -> still(place, frames.size()));
 	}
 
@@ -119,9 +103,9 @@ record AnchorPath(List<Point> places, double[] weights) {
 	}
 
 	private boolean moves(final List<Seen> seen) {
-		if (seen.size() < FEWEST)
-			return moves(places, ROUGH_SPREAD);
-		return moves(seen.stream().map(s -> s.chain().start()).toList(), SPREAD);
+		if (seen.size() < TrackTuning.SETTLING)
+			return moves(places, TrackTuning.STILL_SKELETON);
+		return moves(seen.stream().map(s -> s.chain().start()).toList(), TrackTuning.STILL_END);
 	}
 
 	/** Whether places, in order of time, are more than a few wrong ones around one place. */
@@ -129,7 +113,7 @@ record AnchorPath(List<Point> places, double[] weights) {
 		final Point middle = middle(all);
 		final double[] off = all.stream().mapToDouble(p -> p.distanceTo(middle)).sorted().toArray();
 		return off[off.length / 2] > spread
-			|| off[(int) (FAR_SHARE * (off.length - 1))] > 2 * spread;
+			|| off[(int) (TrackTuning.STILL_SHARE * (off.length - 1))] > 2 * spread;
 	}
 
 	private static Point middle(final List<Point> all) {
@@ -149,12 +133,12 @@ record AnchorPath(List<Point> places, double[] weights) {
 		for (int t = 0; t < n; t++) {
 			x[t] = places.get(t).x() + offset.x();
 			y[t] = places.get(t).y() + offset.y();
-			noise[t] = SKELETON_NOISE;
+			noise[t] = TrackTuning.END_NOISE;
 		}
 		for (final Seen s : seen) {
 			x[s.index()] = s.chain().start().x();
 			y[s.index()] = s.chain().start().y();
-			noise[s.index()] = LIGHT_NOISE;
+			noise[s.index()] = TrackTuning.LIGHT_NOISE;
 		}
 		return walk(x, y, noise);
 	}
@@ -204,7 +188,7 @@ record AnchorPath(List<Point> places, double[] weights) {
 				.min(Comparator.comparingDouble(Fit::energy)).map(f -> f.chain().start());
 			x[t] = seen.orElse(at(t)).x();
 			y[t] = seen.orElse(at(t)).y();
-			noise[t] = seen.isPresent() ? FIT_NOISE : SKELETON_NOISE;
+			noise[t] = seen.isPresent() ? TrackTuning.FIT_NOISE : TrackTuning.END_NOISE;
 		}
 		return walk(x, y, noise);
 	}

@@ -9,9 +9,6 @@ import io.github.knotresolver.progress.Workers;
 /** Blurs the frames of a movie whose noise drowns single pixels: a fit would follow the noise. */
 final class Calming {
 
-	/** Noise from which on frames are blurred, in strands' brightnesses, and by how much (pixels). */
-	private static final double NOISY = 0.3, BLUR = 1;
-
 	private Calming() {
 	}
 
@@ -27,8 +24,8 @@ final class Calming {
 		final Workers workers) {
 		final double[] noise = workers.map(frames.size(), t -> frames.get(t).light().noise())
 			.stream().mapToDouble(Double::doubleValue).toArray();
-		return new Median().evaluate(noise) < NOISY * strand
+		return new Median().evaluate(noise) < TrackTuning.NOISY * strand
 			? frames
-			: workers.map(frames.size(), t -> frames.get(t).blurred(BLUR));
+			: workers.map(frames.size(), t -> frames.get(t).blurred(TrackTuning.CALMING));
 	}
 }

@@ -22,18 +22,6 @@ import io.github.knotresolver.progress.Workers;
  */
 public final class ContourDistance implements EdgePrice {
 
-	/** Spacing of the compared points (pixels). */
-	private static final double STEP = 4;
-
-	/** Pairs are warped up to this much (pixels) beyond the nearest one's distance. */
-	private static final double HOPELESS = 12;
-
-	/** Motion below this (pixels) is noise of the skeleton. */
-	private static final double NOISE = 1;
-
-	/** From so many typical motions on, a longer jump is hardly worse than a shorter. */
-	private static final double JUMP = 5;
-
 	private final double weight;
 	private final double typical;
 	private final double[][][] fromFrame;
@@ -53,7 +41,7 @@ public final class ContourDistance implements EdgePrice {
 			throw new IllegalArgumentException(
 				"The weight of the distance must be at least 0, but is " + weight + ".");
 		final List<List<Polyline>> sampled = contours.stream()
-			.map(frame -> frame.stream().map(c -> c.every(STEP)).toList()).toList();
+			.map(frame -> frame.stream().map(c -> c.every(TrackTuning.DISTANCE_STEP)).toList()).toList();
 		fromFrame = workers
 			.map(sampled.size(), t -> distances(sampled.get(t), next(sampled, t), progress))
 			.toArray(double[][][]::new);
@@ -65,7 +53,7 @@ public final class ContourDistance implements EdgePrice {
 	private double typical() {
 		final double[] moved = Arrays.stream(fromFrame).filter(m -> m.length > 0 && m[0].length > 0)
 			.mapToDouble(m -> Arrays.stream(m[0]).min().orElseThrow()).sorted().toArray();
-		return moved.length == 0 ? NOISE : Math.max(NOISE, moved[moved.length / 2]);
+		return moved.length == 0 ? TrackTuning.SKELETON_NOISE : Math.max(TrackTuning.SKELETON_NOISE, moved[moved.length / 2]);
 	}
 
 	/**
@@ -74,8 +62,8 @@ public final class ContourDistance implements EdgePrice {
 	@Override
 	public double between(final int from, final int fromContour, final int to,
 		final int toContour) {
-		return weight * JUMP
-			* Math.log1p(fromFrame[from][fromContour][toContour] / (typical * JUMP));
+		return weight * TrackTuning.JUMP
+			* Math.log1p(fromFrame[from][fromContour][toContour] / (typical * TrackTuning.JUMP));
 	}
 
 	private static List<Polyline> next(final List<List<Polyline>> frames, final int t) {
@@ -90,7 +78,7 @@ public final class ContourDistance implements EdgePrice {
 			progress.checkCancelled();
 			for (int j = 0; j < to.size(); j++)
 				matrix[i][j] = EqualArcDistance.meanOfSampled(from.get(i), to.get(j));
-			final double hopeless = Arrays.stream(matrix[i]).min().orElse(0) + HOPELESS;
+			final double hopeless = Arrays.stream(matrix[i]).min().orElse(0) + TrackTuning.WARP;
 			for (int j = 0; j < to.size(); j++)
 				if (matrix[i][j] <= hopeless)
 					matrix[i][j] = 0.5

@@ -12,14 +12,8 @@ import io.github.knotresolver.track.SceneTracks.Filament;
 /** The frames in which a filament is not sure, and the filaments that it touches there. */
 final class DoubtfulEpisodes {
 
-	/** A contour that is less sure is doubtful. */
-	private static final double DOUBTFUL = 0.5;
-
 	/** Contours nearer than this (pixels) touch. */
 	private static final double TOUCH = 5;
-
-	/** So many episodes are told. */
-	private static final int MOST = 10;
 
 	private final List<Filament> filaments;
 
@@ -44,16 +38,16 @@ final class DoubtfulEpisodes {
 				}
 			}
 		}
-		if (notes.size() <= MOST)
+		if (notes.size() <= TrackTuning.EPISODES)
 			return notes;
-		final List<String> first = new ArrayList<>(notes.subList(0, MOST));
-		first.add(notes.size() - MOST
+		final List<String> first = new ArrayList<>(notes.subList(0, TrackTuning.EPISODES));
+		first.add(notes.size() - TrackTuning.EPISODES
 			+ " more episodes are doubtful; the confidence of each frame says which.");
 		return first;
 	}
 
 	private static boolean isDoubtful(final Observation o) {
-		return o.contour().isPresent() && o.confidence() < DOUBTFUL;
+		return o.contour().isPresent() && o.confidence() < TrackTuning.DOUBTFUL;
 	}
 
 	private String note(final int k, final int from, final int to) {

@@ -13,15 +13,9 @@ import io.github.knotresolver.progress.Progress;
  * end of a frame and gathers its votes; each step costs the more, the farther it goes, so
  * that an end that drifts, jitters or jumps once gathers nearly as much as one that stays,
  * and one that sweeps through the picture, as a tip does, gathers little. Found exactly by
- * dynamic programming over pairs of ends, O(ends times ends within {@value #MEMORY}).
+ * dynamic programming over pairs of ends, O(ends times ends within {@value TrackTuning#END_MEMORY}).
  */
 final class EndPaths {
-
-	/** A step of this length (pixels) costs as much as an end's vote brings. */
-	private static final double STEP = 5;
-
-	/** A path goes on from one of the last so many ends. */
-	private static final int MEMORY = 600;
 
 	private EndPaths() {
 	}
@@ -117,7 +111,7 @@ final class EndPaths {
 			for (int e = 0; e < n; e++) {
 				progress.checkCancelled();
 				previous[e] = -1;
-				for (int f = Math.max(0, e - MEMORY); f < e; f++)
+				for (int f = Math.max(0, e - TrackTuning.END_MEMORY); f < e; f++)
 					if (before[f] - price(f, e) > before[e]) {
 						before[e] = before[f] - price(f, e);
 						previous[e] = f;
@@ -127,7 +121,7 @@ final class EndPaths {
 			for (int e = n - 1; e >= 0; e--) {
 				progress.checkCancelled();
 				next[e] = -1;
-				for (int f = e + 1; f < Math.min(n, e + MEMORY); f++) {
+				for (int f = e + 1; f < Math.min(n, e + TrackTuning.END_MEMORY); f++) {
 					final double then = after[f] + ends.get(f).vote - price(e, f);
 					if (then > after[e]) {
 						after[e] = then;
@@ -141,7 +135,7 @@ final class EndPaths {
 			final End a = ends.get(from), b = ends.get(to);
 			return a.frame == b.frame
 				? Double.POSITIVE_INFINITY
-				: a.at.distanceTo(b.at) / STEP * Math.min(a.vote, b.vote);
+				: a.at.distanceTo(b.at) / TrackTuning.END_STEP * Math.min(a.vote, b.vote);
 		}
 
 		double total(final int e) {

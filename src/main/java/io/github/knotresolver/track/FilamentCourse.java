@@ -16,9 +16,6 @@ import io.github.knotresolver.fit.FilamentEstimate;
  */
 record FilamentCourse(FilamentEstimate estimate, AnchorPath anchor, LengthCourse length) {
 
-	/** An anchor that moves by less (pixels) is not worth a note. */
-	private static final double NOTED = 2;
-
 	/** What is known of a frame near a break, with the other length that is possible there. */
 	FilamentEstimate otherIn(final int index) {
 		return in(index).withLength(length.others()[index]);
@@ -43,7 +40,7 @@ record FilamentCourse(FilamentEstimate estimate, AnchorPath anchor, LengthCourse
 	/** What a user should know, one sentence each; frames are those that were resolved. */
 	List<String> notes(final List<FrameView> frames) {
 		final List<String> notes = new ArrayList<>();
-		if (anchor.range() > NOTED)
+		if (anchor.range() > TrackTuning.NOTED_DRIFT)
 			notes.add(String.format(Locale.ROOT,
 				"The fixed end moves by up to %.1f px; it was followed from frame to frame.",
 				anchor.range()));

@@ -17,20 +17,8 @@ import io.github.knotresolver.fit.FitQuality;
  */
 record FitConfidence(double usualMisfit) {
 
-	/** A gap of this price takes 63 % of a rival's weight. */
-	private static final double GAP_SCALE = 2;
-
-	/** Fits nearer than this (pixels, at equal arc length) do not differ visibly. */
-	private static final double VISIBLE = 2.5;
-
-	/** Below this, a contour cannot be called resolved. */
-	static final double NONE = 0.0001;
-
 	/** From this on nothing needs to be said. */
 	private static final double SURE = 0.9;
-
-	/** A figure that lowers the logit by less is not a reason. */
-	private static final double NOTICEABLE = 0.7;
 
 	private static final double CONSTANT = 9;
 
@@ -45,18 +33,18 @@ record FitConfidence(double usualMisfit) {
 
 	/** @return whether a fit differs visibly from all of some */
 	static boolean differs(final Fit fit, final List<Fit> others) {
-		return others.stream().allMatch(o -> o.chain().distance(fit.chain()) > VISIBLE);
+		return others.stream().allMatch(o -> o.chain().distance(fit.chain()) > TrackTuning.VISIBLE);
 	}
 
 	/** How much dearer the movie becomes with a visibly different contour in a frame. */
 	static double gap(final TrellisPath path, final List<Fit> pool, final int frame) {
 		final Fit chosen = pool.get(path.choice()[frame]);
-		return path.gap(frame, v -> pool.get(v).chain().distance(chosen.chain()) > VISIBLE);
+		return path.gap(frame, v -> pool.get(v).chain().distance(chosen.chain()) > TrackTuning.VISIBLE);
 	}
 
 	/** A gap as a figure: 1 if there is none, falling to 0. */
 	static double rival(final double gap) {
-		return Math.exp(-gap / GAP_SCALE);
+		return Math.exp(-gap / TrackTuning.GAP_SCALE);
 	}
 
 	/** A misfit as a figure: 0 if it is usual. */
@@ -85,7 +73,7 @@ record FitConfidence(double usualMisfit) {
 				worst = i;
 		reason.append(FitEvidence.words(worst));
 		for (int i = 0; i < figures.length; i++)
-			if (i != worst && WEIGHTS[i] * figures[i] > NOTICEABLE)
+			if (i != worst && WEIGHTS[i] * figures[i] > TrackTuning.REASON)
 				reason.append("; ").append(FitEvidence.words(i));
 		return reason.append('.').toString();
 	}

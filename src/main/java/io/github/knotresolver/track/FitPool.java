@@ -11,8 +11,6 @@ import io.github.knotresolver.fit.Fit;
  */
 final class FitPool {
 
-	private static final double SAME = 1.0;
-
 	private final List<Fit> fits = new ArrayList<>();
 
 	/**
@@ -33,7 +31,7 @@ final class FitPool {
 
 	/** @return whether two fits of a frame are one */
 	static boolean isSame(final Fit one, final Fit other) {
-		return one.chain().distance(other.chain()) < SAME;
+		return one.chain().distance(other.chain()) < TrackTuning.SAME_FIT;
 	}
 
 	List<Fit> fits() {

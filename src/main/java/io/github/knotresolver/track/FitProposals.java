@@ -28,18 +28,12 @@ import io.github.knotresolver.geometry.Polyline;
  */
 record FitProposals(FrameView frame, FilamentEstimate estimate, int links, boolean freeLength) {
 
-	/** So many of the cheapest candidates are drawn ... */
-	private static final int DRAWN = 12;
-
-	/** ... and so many of those fitted. */
-	private static final int FITTED = 4;
-
 	List<Fit> of(final CandidateSet set, final FilamentFitter fitter, final FilamentFitter stiff) {
 		final List<Fit> rough = new ArrayList<>();
-		for (final Candidate c : set.candidates().stream().limit(DRAWN).toList())
+		for (final Candidate c : set.candidates().stream().limit(TrackTuning.DRAWN).toList())
 			rough.add(fitter.price(start(ContourBuilder.smooth(c), estimate.fixedEnd())));
 		final FitPool pool = new FitPool();
-		rough.stream().sorted(Comparator.comparingDouble(Fit::energy)).limit(FITTED)
+		rough.stream().sorted(Comparator.comparingDouble(Fit::energy)).limit(TrackTuning.FITTED)
 			.forEach(r -> pool
 				.add(fitter.fit(stiff.fit(r.chain(), Optional.empty()).chain(), Optional.empty())));
 		return pool.fits();
@@ -49,7 +43,7 @@ record FitProposals(FrameView frame, FilamentEstimate estimate, int links, boole
 	List<Fit> of(final CandidateSet set, final FilamentFitter fitter, final FilamentFitter stiff,
 		final Predicate<Polyline> wanted) {
 		final FitPool pool = new FitPool();
-		set.candidates().stream().map(ContourBuilder::smooth).filter(wanted).limit(DRAWN)
+		set.candidates().stream().map(ContourBuilder::smooth).filter(wanted).limit(TrackTuning.DRAWN)
 			.map(c -> start(c, estimate.fixedEnd())).forEach(start -> pool
 				.add(fitter.fit(stiff.fit(start, Optional.empty()).chain(), Optional.empty())));
 		return pool.fits();

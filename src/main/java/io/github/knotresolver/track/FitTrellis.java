@@ -119,7 +119,7 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 		final int frame = frames.get(t).frame();
 		final double confidence = FitConfidence.of(evidence);
 		final String doubt = FitConfidence.reason(evidence);
-		if (said.isEmpty() && confidence < FitConfidence.NONE)
+		if (said.isEmpty() && confidence < TrackTuning.NO_CONFIDENCE)
 			return Observation.without(frame, FrameStatus.UNRESOLVED,
 				doubt.replace("Doubtful: ", "No contour can be trusted: "));
 		final Visible visible = Visible.of(chosen(t, path).chain().contour(), light.get(t));

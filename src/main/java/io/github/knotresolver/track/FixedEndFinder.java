@@ -21,23 +21,6 @@ import io.github.knotresolver.track.EndPaths.EndPath;
  */
 public final class FixedEndFinder {
 
-	/** Ends within this distance (pixels) are in the same place. */
-	private static final double SAME_PLACE = 4;
-
-	/** A path needs this share of the best path's votes to be looked at. */
-	private static final double CONTENDER = 0.4;
-
-	/** Price (pixels) of a path without any votes, and of one that is never in the same place. */
-	private static final double FEWER_VOTES = 20;
-
-	/** Price of a frame in which no trail begins at a place; of one far from the filament, at most. */
-	private static final double NO_TRAIL = 100;
-
-	/** A skeleton that is this near (pixels) to a place holds it: where strands cross, one lies beside the other. */
-	private static final double ASIDE = 6;
-
-	private static final int CONTENDERS = 5;
-	private static final int FRAMES_TO_TRY = 12;
 	private static final TrailCandidates TRAILS = new TrailCandidates(3, 200, 2,
 		TrailCandidates.DEFAULT.prices());
 
@@ -68,16 +51,16 @@ public final class FixedEndFinder {
 	 */
 	public Optional<Point> find() {
 		final List<End> ends = FreeEnds.of(frames);
-		final List<EndPath> paths = EndPaths.best(ends, CONTENDERS, progress);
+		final List<EndPath> paths = EndPaths.best(ends, TrackTuning.CONTENDERS, progress);
 		if (paths.isEmpty())
 			return Optional.empty();
 		final double most = paths.get(0).votes();
-		final List<Contender> contenders = paths.stream().filter(p -> p.votes() >= CONTENDER * most)
+		final List<Contender> contenders = paths.stream().filter(p -> p.votes() >= TrackTuning.CONTENDER * most)
 			.map(FixedEndFinder::contender).toList();
 		final double stillest = contenders.stream().mapToDouble(Contender::together).max()
 			.orElse(0);
 		return contenders.stream().min(Comparator.comparingDouble(
-			c -> price(c.path) + FEWER_VOTES * (2 - c.path.votes() / most - c.together / stillest)))
+			c -> price(c.path) + TrackTuning.FEWER_VOTES * (2 - c.path.votes() / most - c.together / stillest)))
 			.map(c -> place(c.path));
 	}
 
@@ -89,7 +72,7 @@ public final class FixedEndFinder {
 	}
 
 	private static double together(final End end, final EndPath path) {
-		return path.ends().stream().filter(e -> e.at().distanceTo(end.at()) <= SAME_PLACE)
+		return path.ends().stream().filter(e -> e.at().distanceTo(end.at()) <= TrackTuning.SAME_PLACE)
 			.mapToDouble(End::vote).sum();
 	}
 
@@ -103,7 +86,7 @@ public final class FixedEndFinder {
 	private double price(final EndPath path) {
 		final AnchorPath anchor = AnchorPath.along(path, frames.size());
 		double sum = 0;
-		final int tries = Math.min(FRAMES_TO_TRY, frames.size());
+		final int tries = Math.min(TrackTuning.FRAMES_TO_TRY, frames.size());
 		for (int i = 0; i < tries; i++) {
 			progress.checkCancelled();
 			final int t = (int) ((i + 0.5) * frames.size() / tries);
@@ -112,8 +95,8 @@ public final class FixedEndFinder {
 				.generate(CandidateQuery.of(frame.graph(), anchor.at(t), OptionalDouble.empty()),
 					progress)
 				.candidates();
-			sum += best.isEmpty() ? NO_TRAIL : best.get(0).price().total();
-			sum += Math.min(NO_TRAIL, Math.max(0, frame.distance(anchor.at(t)) - ASIDE));
+			sum += best.isEmpty() ? TrackTuning.NO_TRAIL : best.get(0).price().total();
+			sum += Math.min(TrackTuning.NO_TRAIL, Math.max(0, frame.distance(anchor.at(t)) - TrackTuning.ASIDE));
 		}
 		return sum / tries;
 	}

@@ -26,18 +26,6 @@ import io.github.knotresolver.track.EndPaths.End;
  */
 final class FreeEnds {
 
-	/** Objects with less skeleton (pixels) are specks. */
-	private static final double SHORTEST = 15;
-
-	/** Weight of skeleton that lies still. */
-	private static final double STILL = 0.05;
-
-	/** An end this near (pixels) to the border is cut off by it, and its vote counts so much. */
-	private static final double BORDER = 4, AT_BORDER = 0.3;
-
-	/** The direction of an end is taken over this arc length, in pixels. */
-	private static final double DIRECTION = 8;
-
 	private final List<FrameView> frames;
 	private final double[] covered;
 
@@ -64,9 +52,9 @@ final class FreeEnds {
 	 * @return whether the place is so near the border that what ends there may go on outside
 	 */
 	static boolean atBorder(final FrameView frame, final Point place) {
-		return place.x() < BORDER || place.y() < BORDER
-			|| place.x() > frame.light().width() - 1 - BORDER
-			|| place.y() > frame.light().height() - 1 - BORDER;
+		return place.x() < TrackTuning.BORDER || place.y() < TrackTuning.BORDER
+			|| place.x() > frame.light().width() - 1 - TrackTuning.BORDER
+			|| place.y() > frame.light().height() - 1 - TrackTuning.BORDER;
 	}
 
 	/** For every pixel, the share of frames in which the mask covers it. */
@@ -91,12 +79,12 @@ final class FreeEnds {
 			final List<Segment> segments = graph.segments().stream()
 				.filter(s -> part.contains(s.source())).toList();
 			final double length = segments.stream().mapToDouble(Segment::length).sum();
-			if (length < SHORTEST)
+			if (length < TrackTuning.SPECK)
 				continue;
-			final double vote = segments.stream().mapToDouble(this::moving).sum() + STILL * length;
+			final double vote = segments.stream().mapToDouble(this::moving).sum() + TrackTuning.STILL_VOTE * length;
 			part.stream().filter(Node::isFreeEnd).sorted(Comparator.comparingInt(Node::id))
 				.forEach(n -> ends.add(new End(t, n.position(), outward(n, segments),
-					atBorder(frame, n.position()) ? AT_BORDER * vote : vote)));
+					atBorder(frame, n.position()) ? TrackTuning.AT_BORDER * vote : vote)));
 		}
 	}
 
@@ -104,7 +92,7 @@ final class FreeEnds {
 	private static double outward(final Node end, final List<Segment> segments) {
 		for (final Segment s : segments) {
 			final Polyline curve = s.curve();
-			final double back = Math.min(DIRECTION, curve.length());
+			final double back = Math.min(TrackTuning.END_DIRECTION, curve.length());
 			if (s.source().id() == end.id())
 				return direction(curve.at(back), end.position());
 			if (s.target().id() == end.id())

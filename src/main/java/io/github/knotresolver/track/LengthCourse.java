@@ -28,27 +28,6 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 		CONSTANT, STEADY, BROKEN, STEADY_AND_BROKEN, WANDERING
 	}
 
-	/** So few lengths say nothing about a change. */
-	private static final int FEWEST = 6;
-
-	/** To both sides of a break. */
-	private static final int FEWEST_BESIDE = 3;
-
-	/** Errors of lengths are at least this large (relative). */
-	private static final double LEAST_ERROR = 0.006;
-
-	/** A change over the movie of less than this (relative) is none. */
-	private static final double VISIBLE = 0.025;
-
-	/** What is farther off in standard deviations is wrong, however far. */
-	private static final double OUTLIER = 3;
-
-	/** Price of a parameter in units of ln(number of lengths). */
-	private static final double PARAMETER = 1.5;
-
-	/** A wandering length has a parameter for so many frames. */
-	private static final double WANDERING_FRAMES = 5;
-
 	/** The same length in all frames. */
 	static LengthCourse constant(final double length, final int frames) {
 		final double[] lengths = new double[frames];
@@ -73,7 +52,7 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 	 */
 	static Optional<LengthCourse> changing(final int[] seen, final double[] known,
 		final int frames) {
-		if (known.length < FEWEST)
+		if (known.length < TrackTuning.COURSE_LENGTHS)
 			return Optional.empty();
 		final Search search = new Search(seen, known, frames);
 		return search.best().filter(c -> c.kind != Kind.CONSTANT && c.isVisible());
@@ -82,7 +61,7 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 	private boolean isVisible() {
 		final double[] sorted = lengths.clone();
 		Arrays.sort(sorted);
-		return sorted[sorted.length - 1] / sorted[0] - 1 > VISIBLE;
+		return sorted[sorted.length - 1] / sorted[0] - 1 > TrackTuning.LENGTH_CHANGE;
 	}
 
 	/** Length in a frame in pixels. */
@@ -140,7 +119,7 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 			this.seen = seen;
 			this.known = known;
 			this.frames = frames;
-			error = Math.max(LEAST_ERROR * median(known), noise());
+			error = Math.max(TrackTuning.LENGTH_ERROR * median(known), noise());
 		}
 
 		/** Standard deviation of a length from the mean of its neighbours in time. */
@@ -153,7 +132,7 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 
 		Optional<LengthCourse> best() {
 			final Stream<LengthCourse> broken = IntStream
-				.rangeClosed(FEWEST_BESIDE, known.length - FEWEST_BESIDE).boxed()
+				.rangeClosed(TrackTuning.BESIDE_BREAK, known.length - TrackTuning.BESIDE_BREAK).boxed()
 				.flatMap(k -> Stream.of(broken(k, false), broken(k, true)));
 			return Stream
 				.concat(Stream.of(constant(median(known), frames), steady(), wandering()), broken)
@@ -163,11 +142,11 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 		private double price(final LengthCourse course) {
 			double sum = 0;
 			for (int i = 0; i < known.length; i++) {
-				final double off = Math.min(OUTLIER,
+				final double off = Math.min(TrackTuning.LENGTH_OUTLIER,
 					Math.abs(known[i] - course.lengths[seen[i]]) / error);
 				sum += 0.5 * off * off;
 			}
-			return sum + PARAMETER * Math.log(known.length) * parameters(course.kind);
+			return sum + TrackTuning.PARAMETER * Math.log(known.length) * parameters(course.kind);
 		}
 
 		private double parameters(final Kind kind) {
@@ -176,7 +155,7 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 				case STEADY -> 2;
 				case BROKEN -> 3;
 				case STEADY_AND_BROKEN -> 5;
-				case WANDERING -> 6 + frames / WANDERING_FRAMES;
+				case WANDERING -> 6 + frames / TrackTuning.WANDERING;
 			};
 		}
 

@@ -20,15 +20,6 @@ import io.github.knotresolver.graph.SkeletonGraph;
  */
 public final class LengthEstimator {
 
-	/** Fewer unbranched frames say nothing. */
-	private static final int FEWEST = 3;
-
-	/** An outlier is off by more than so many robust standard deviations ... */
-	private static final double DEVIATIONS = 3;
-
-	/** ... and by more than this share of the median. */
-	private static final double TOLERANCE = 0.03;
-
 	private LengthEstimator() {
 	}
 
@@ -45,7 +36,7 @@ public final class LengthEstimator {
 		for (final FrameGraph f : frames)
 			f.graph().filter(g -> g.isUnbranched() && endsNear(g, fixedEnd))
 				.ifPresent(g -> lengths.add(g.length() + hidden(g, fixedEnd)));
-		return lengths.size() < FEWEST
+		return lengths.size() < TrackTuning.UNBRANCHED
 			? OptionalDouble.empty()
 			: OptionalDouble
 				.of(robustMedian(lengths.stream().mapToDouble(Double::doubleValue).toArray()));
@@ -70,7 +61,7 @@ public final class LengthEstimator {
 		final double median = median(values);
 		final double spread = RobustStatistics.MAD_TO_SD
 			* median(Arrays.stream(values).map(v -> Math.abs(v - median)).toArray());
-		final double tolerance = Math.max(DEVIATIONS * spread, TOLERANCE * median);
+		final double tolerance = Math.max(TrackTuning.SKELETON_OUTLIER * spread, TrackTuning.SKELETON_TOLERANCE * median);
 		return median(
 			Arrays.stream(values).filter(v -> Math.abs(v - median) <= tolerance).toArray());
 	}

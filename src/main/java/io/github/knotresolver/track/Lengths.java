@@ -20,15 +20,6 @@ import io.github.knotresolver.track.OpenFrames.Seen;
 record Lengths(double[] whole, double longestCut, double cutShare,
 	Optional<LengthCourse> changing) {
 
-	/** So many whole frames say how long the filament is. */
-	private static final int FEWEST = 3;
-
-	/** With fewer frames cut than this, the estimate from the clearest frames holds. */
-	private static final double FEW = 0.1;
-
-	/** What agrees within this (relative) with the median is used. */
-	private static final double OUTLIER = 0.06;
-
 	/** Standard error of a median of n values: so many MADs over the root of n. */
 	private static final double MEDIAN_ERROR = RobustStatistics.MAD_TO_SD
 		* RobustStatistics.MEDIAN_TO_MEAN_ERROR;
@@ -56,12 +47,12 @@ record Lengths(double[] whole, double longestCut, double cutShare,
 		if (changing.isPresent())
 			return estimate.withLength(
 				Arrays.stream(changing.get().lengths()).max().orElse(estimate.length()));
-		if (cutShare <= FEW)
+		if (cutShare <= TrackTuning.CUT_FRAMES)
 			return estimate;
-		if (whole.length < FEWEST)
+		if (whole.length < TrackTuning.WHOLE_FRAMES)
 			return estimate.withLength(Math.max(estimate.length(), longestCut));
 		final double middle = median(whole);
-		final double[] good = Arrays.stream(whole).filter(l -> Math.abs(l / middle - 1) < OUTLIER)
+		final double[] good = Arrays.stream(whole).filter(l -> Math.abs(l / middle - 1) < TrackTuning.WHOLE_OUTLIER)
 			.toArray();
 		final double length = median(good);
 		final double spread = median(Arrays.stream(good).map(l -> Math.abs(l - length)).toArray());

@@ -22,18 +22,6 @@ import io.github.knotresolver.fit.Fit;
  */
 record MotionPrice(double usualMotion, double usualTurn) {
 
-	private static final double LEAST_MOTION = 0.5;
-	private static final double LEAST_TURN = 0.05;
-
-	/** Lengths whose ratio is above this differ visibly. */
-	private static final double OTHER_LENGTH = 1.005;
-
-	/** Price of usual motion, in strand intensities squared. */
-	private static final double USUAL = 0.2;
-
-	/** Price of each further multiple of usual motion. */
-	private static final double FURTHER = 0.7;
-
 	/**
 	 * Learns what is usual from the best fits of neighbouring frames, each for itself.
 	 *
@@ -51,8 +39,8 @@ record MotionPrice(double usualMotion, double usualTurn) {
 			motion[t] = best.get(t).distance(best.get(t + 1));
 			turn[t] = best.get(t).turn(best.get(t + 1));
 		}
-		return new MotionPrice(Math.max(LEAST_MOTION, median(motion)),
-			Math.max(LEAST_TURN, median(turn)));
+		return new MotionPrice(Math.max(TrackTuning.LEAST_MOTION, median(motion)),
+			Math.max(TrackTuning.LEAST_TURN, median(turn)));
 	}
 
 	private static double median(final double[] values) {
@@ -67,7 +55,7 @@ record MotionPrice(double usualMotion, double usualTurn) {
 	double between(final Chain a, final Chain b) {
 		final double longer = Math.max(a.length(), b.length()),
 			shorter = Math.min(a.length(), b.length());
-		return longer < OTHER_LENGTH * shorter
+		return longer < TrackTuning.OTHER_LENGTH * shorter
 			? moved(a, b)
 			: moved(a.resized(shorter), b.resized(shorter));
 	}
@@ -83,6 +71,6 @@ record MotionPrice(double usualMotion, double usualTurn) {
 	}
 
 	private static double price(final double multiple) {
-		return USUAL * multiple + FURTHER * Math.max(0, multiple - 1);
+		return TrackTuning.USUAL_MOTION * multiple + TrackTuning.FURTHER_MOTION * Math.max(0, multiple - 1);
 	}
 }

@@ -21,15 +21,6 @@ import io.github.knotresolver.progress.Progress;
  */
 final class Propagation {
 
-	/** Share of the last step that is expected to go on. */
-	private static final double INERTIA = 0.7;
-
-	/** Motion below this (pixels) needs no start of its own. */
-	private static final double SLOW = 0.75;
-
-	/** A hypothesis that is this much more expensive than the best is dropped. */
-	private static final double HOPELESS = 12;
-
 	private final int width;
 	private final MotionPrice motion;
 	private final IntFunction<FilamentFitter> fitters;
@@ -129,7 +120,7 @@ final class Propagation {
 
 	/** Whether a fit is one that is known, or so much dearer that it will never be taken. */
 	private static boolean isKnown(final Fit fit, final List<Fit> known) {
-		return known.stream().anyMatch(k -> FitPool.isSame(k, fit)) || fit.energy() > HOPELESS
+		return known.stream().anyMatch(k -> FitPool.isSame(k, fit)) || fit.energy() > TrackTuning.HOPELESS
 			+ known.stream().mapToDouble(Fit::energy).min().orElse(fit.energy());
 	}
 
@@ -150,9 +141,9 @@ final class Propagation {
 		for (final Hypothesis h : beam) {
 			final List<Fit> fits = new ArrayList<>();
 			final Chain here = h.fit.chain();
-			final Optional<Chain> heading = h.before.map(b -> here.extrapolated(b, INERTIA));
+			final Optional<Chain> heading = h.before.map(b -> here.extrapolated(b, TrackTuning.INERTIA));
 			final List<Chain> starts = new ArrayList<>(List.of(here));
-			h.before.map(b -> here.extrapolated(b, 1)).filter(s -> s.distance(here) > SLOW)
+			h.before.map(b -> here.extrapolated(b, 1)).filter(s -> s.distance(here) > TrackTuning.SLOW)
 				.ifPresent(starts::add);
 			for (final Chain start : starts)
 				fits.add(fitter.fit(start, Optional.of(heading.orElse(here))));
@@ -184,7 +175,7 @@ final class Propagation {
 		final List<Hypothesis> kept = new ArrayList<>();
 		final FitPool different = new FitPool();
 		for (final Hypothesis h : all) {
-			if (kept.size() == width || h.total > all.get(0).total + HOPELESS)
+			if (kept.size() == width || h.total > all.get(0).total + TrackTuning.HOPELESS)
 				break;
 			if (different.add(h.fit) == h.fit && different.fits().size() > kept.size())
 				kept.add(h);

@@ -18,18 +18,6 @@ record RandomWalk(double[] mean, double[] sd) {
 	/** Standard deviations of a step that are tried, as multiples of the noise. */
 	private static final double[] STEPS = {0.05, 0.1, 0.2, 0.4, 0.8, 1.6, 3.2, 6.4};
 
-	/** What is farther off than so many standard deviations is wrong, however far. */
-	private static final double OUTLIER = 4;
-
-	/** So often values that are far off lose weight. */
-	private static final int ROUNDS = 3;
-
-	/** Medians of so many known values to both sides show a jump ... */
-	private static final int JUMP_WINDOW = 3;
-
-	/** ... if they differ by more than so many standard deviations. */
-	private static final double JUMP = 6;
-
 	/**
 	 * @param seen the value in each frame; NaN where it is not known, at least one known
 	 * @param noise standard deviation of what is known, above 0, in each frame
@@ -57,10 +45,10 @@ record RandomWalk(double[] mean, double[] sd) {
 		final double[] noise) {
 		final double[] believed = noise.clone();
 		RandomWalk walk = new Filter(seen, steps, believed).smoothed();
-		for (int round = 0; round < ROUNDS; round++) {
+		for (int round = 0; round < TrackTuning.WALK_ROUNDS; round++) {
 			for (int t = 0; t < seen.length; t++)
 				if (Double.isFinite(seen[t])) {
-					final double off = Math.abs(seen[t] - walk.mean[t]) / (OUTLIER / 2 * noise[t]);
+					final double off = Math.abs(seen[t] - walk.mean[t]) / (TrackTuning.WALK_OUTLIER / 2 * noise[t]);
 					believed[t] = noise[t] * Math.max(1, off);
 				}
 			walk = new Filter(seen, steps, believed).smoothed();
@@ -73,12 +61,12 @@ record RandomWalk(double[] mean, double[] sd) {
 		final double[] noise) {
 		final double[] variance = new double[seen.length];
 		Arrays.fill(variance, step * step);
-		for (int k = JUMP_WINDOW; k <= known.length - JUMP_WINDOW; k++) {
+		for (int k = TrackTuning.JUMP_WINDOW; k <= known.length - TrackTuning.JUMP_WINDOW; k++) {
 			final int from = known[k - 1], to = known[k];
-			final double jump = median(seen, known, k) - median(seen, known, k - JUMP_WINDOW);
-			final double usual = step * step * (known[k + JUMP_WINDOW - 1] - known[k - JUMP_WINDOW])
+			final double jump = median(seen, known, k) - median(seen, known, k - TrackTuning.JUMP_WINDOW);
+			final double usual = step * step * (known[k + TrackTuning.JUMP_WINDOW - 1] - known[k - TrackTuning.JUMP_WINDOW])
 				+ noise[from] * noise[from] + noise[to] * noise[to];
-			if (jump * jump > JUMP * JUMP * usual)
+			if (jump * jump > TrackTuning.WALK_JUMP * TrackTuning.WALK_JUMP * usual)
 				for (int t = from + 1; t <= to; t++)
 					variance[t] = Math.max(variance[t], jump * jump);
 		}
@@ -87,7 +75,7 @@ record RandomWalk(double[] mean, double[] sd) {
 
 	/** Of the known values from one on. */
 	private static double median(final double[] seen, final int[] known, final int from) {
-		final double[] some = Arrays.stream(known, from, from + JUMP_WINDOW)
+		final double[] some = Arrays.stream(known, from, from + TrackTuning.JUMP_WINDOW)
 			.mapToDouble(t -> seen[t]).sorted().toArray();
 		return some[some.length / 2];
 	}
@@ -118,7 +106,7 @@ record RandomWalk(double[] mean, double[] sd) {
 						v = r;
 					} else {
 						final double expected = v + r;
-						price += Math.min(OUTLIER * OUTLIER, off * off / expected)
+						price += Math.min(TrackTuning.WALK_OUTLIER * TrackTuning.WALK_OUTLIER, off * off / expected)
 							+ Math.log(expected);
 						m += v / expected * off;
 						v = v * r / expected;

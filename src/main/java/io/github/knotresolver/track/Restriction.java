@@ -17,12 +17,6 @@ import io.github.knotresolver.model.Constraint.Kind;
  */
 record Restriction(List<Constraint> constraints, double sigma) {
 
-	/** A place is shown to within so many line widths, but no better than so many pixels. */
-	private static final double WIDTHS = 2, LEAST = 3;
-
-	/** Contours that differ by less (pixels, mean at equal arc length) are one to the eye. */
-	private static final double VISIBLE = 2.5;
-
 	Restriction {
 		constraints = List.copyOf(constraints);
 	}
@@ -44,7 +38,7 @@ record Restriction(List<Constraint> constraints, double sigma) {
 	}
 
 	private boolean isMetBy(final Polyline contour, final double slack) {
-		final double reach = slack * Math.max(LEAST, WIDTHS * sigma);
+		final double reach = slack * Math.max(TrackTuning.SHOWN_LEAST, TrackTuning.SHOWN_WIDTHS * sigma);
 		return constraints.stream().allMatch(c -> switch (c.kind()) {
 			case CONTOUR, SWAP, CHECKED -> true;
 			case TIP -> contour.last().distanceTo(c.shape().first()) <= reach;
@@ -57,7 +51,7 @@ record Restriction(List<Constraint> constraints, double sigma) {
 	private static boolean differs(final Polyline contour, final Polyline refused) {
 		final int links = Math.max(2, (int) Math.min(contour.length(), refused.length()) / 2);
 		return Chain.along(contour, links, contour.length())
-			.distance(Chain.along(refused, links, refused.length())) > VISIBLE;
+			.distance(Chain.along(refused, links, refused.length())) > TrackTuning.VISIBLE;
 	}
 
 	/** @return what is said of a frame whose contour is as the user said */

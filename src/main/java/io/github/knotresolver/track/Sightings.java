@@ -19,24 +19,6 @@ import io.github.knotresolver.progress.Cancellation;
  */
 final class Sightings {
 
-	/** So many frames are enough. */
-	private static final int MOST = 14;
-
-	/** Fewer unbranched skeletons are not relied on alone. */
-	private static final int FEWEST_SIMPLE = 3;
-
-	/** Contours shorter than this (pixels) are not looked at. */
-	private static final double SHORTEST = 12;
-
-	/**
-	 * A filament that hides a part of itself looks short, never long: the length that
-	 * this share of the frames does not reach is taken, ...
-	 */
-	private static final double QUANTILE = 0.8;
-
-	/** ... and frames that are within this (relative). */
-	private static final double TOLERANCE = 0.06;
-
 	private Sightings() {
 	}
 
@@ -65,24 +47,24 @@ final class Sightings {
 		if (seen.isEmpty())
 			return List.of();
 		final List<Seen> whole = seen.stream().filter(Seen::isWhole).toList();
-		return of(whole.size() >= FEWEST_SIMPLE ? whole : seen);
+		return of(whole.size() >= TrackTuning.SIMPLE_FRAMES ? whole : seen);
 	}
 
 	private static List<Sighting> of(final List<Seen> seen) {
 		final List<Seen> simple = seen.stream().filter(s -> s.frame.graph().isUnbranched())
 			.toList();
-		final List<Seen> from = simple.size() >= FEWEST_SIMPLE ? simple : seen;
+		final List<Seen> from = simple.size() >= TrackTuning.SIMPLE_FRAMES ? simple : seen;
 		final double[] lengths = from.stream().mapToDouble(s -> s.contour.length()).sorted()
 			.toArray();
-		final double length = lengths[(int) (lengths.length * QUANTILE)];
-		return from.stream().filter(s -> Math.abs(s.contour.length() / length - 1) < TOLERANCE)
-			.sorted(Comparator.comparingDouble(Seen::price)).limit(MOST)
+		final double length = lengths[(int) (lengths.length * TrackTuning.SIGHTED_QUANTILE)];
+		return from.stream().filter(s -> Math.abs(s.contour.length() / length - 1) < TrackTuning.SIGHTED_TOLERANCE)
+			.sorted(Comparator.comparingDouble(Seen::price)).limit(TrackTuning.SIGHTINGS)
 			.map(s -> new Sighting(s.frame.light(), s.contour)).toList();
 	}
 
 	private static void look(final FrameView frame, final Candidate best, final List<Seen> seen) {
 		final Polyline contour = ContourBuilder.smooth(best);
-		if (contour.size() < 2 || contour.length() < SHORTEST)
+		if (contour.size() < 2 || contour.length() < TrackTuning.SIGHTED)
 			return;
 		// A doubtful contour is used only where there is none better.
 		final double doubt = best.price().overlap()

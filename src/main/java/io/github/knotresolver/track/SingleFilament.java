@@ -23,24 +23,6 @@ import io.github.knotresolver.track.EndPaths.EndPath;
  */
 public final class SingleFilament {
 
-	/** So many of the frames must show one object with at most two ends. */
-	private static final double NEARLY_ALL = 0.85;
-
-	/** Objects with less skeleton (pixels, and relative to the longest) are specks. */
-	private static final double SPECK = 12, SPECK_SHARE = 0.1;
-
-	/** A branch shorter than this (pixels) has no end of its own. */
-	private static final double SPUR = 8;
-
-	/** A clamped end is seen in so many open frames; its steps leave it so much of its votes. */
-	private static final double USUALLY = 0.85, STEADY = 0.55;
-
-	/** A stage moves a clamp no farther than this (pixels). */
-	private static final double STAGE = 24;
-
-	/** So many frames must show both ends; of short movies, half of them. */
-	private static final int FEWEST_OPEN = 5;
-
 	private SingleFilament() {
 	}
 
@@ -65,15 +47,15 @@ public final class SingleFilament {
 					open.add(ends);
 			}
 		}
-		return seen > 0 && alone >= NEARLY_ALL * seen
-			&& open.size() >= Math.min(FEWEST_OPEN, (seen + 1) / 2) && staysInPlace(open);
+		return seen > 0 && alone >= TrackTuning.NEARLY_ALL * seen
+			&& open.size() >= Math.min(TrackTuning.FEWEST_OPEN, (seen + 1) / 2) && staysInPlace(open);
 	}
 
 	private static List<Set<Node>> objects(final SkeletonGraph graph) {
 		final List<Set<Node>> parts = new ConnectivityInspector<>(graph.asGraph()).connectedSets();
 		final double longest = parts.stream().mapToDouble(p -> length(graph, p)).max().orElse(0);
 		return parts.stream()
-			.filter(p -> length(graph, p) >= Math.max(SPECK, SPECK_SHARE * longest)).toList();
+			.filter(p -> length(graph, p) >= Math.max(TrackTuning.SINGLE_SPECK, TrackTuning.SINGLE_SPECK_SHARE * longest)).toList();
 	}
 
 	private static double length(final SkeletonGraph graph, final Set<Node> part) {
@@ -88,7 +70,7 @@ public final class SingleFilament {
 		for (final Segment s : graph.segments())
 			if (kept.contains(s.source()))
 				for (final Node node : List.of(s.source(), s.target()))
-					if (node.isFreeEnd() && (s.length() >= SPUR || graph.isUnbranched()))
+					if (node.isFreeEnd() && (s.length() >= TrackTuning.SINGLE_SPUR || graph.isUnbranched()))
 						ends.add(node.position());
 		return ends;
 	}
@@ -100,8 +82,8 @@ public final class SingleFilament {
 			for (final Point place : open.get(t))
 				ends.add(new End(t, place, 0, 1));
 		return EndPaths.best(ends, 2, Progress.NONE).stream()
-			.anyMatch(p -> p.ends().size() >= USUALLY * open.size()
-				&& p.votes() >= STEADY * p.ends().size() && range(p) <= STAGE);
+			.anyMatch(p -> p.ends().size() >= TrackTuning.CLAMP_SEEN * open.size()
+				&& p.votes() >= TrackTuning.CLAMP_VOTES * p.ends().size() && range(p) <= TrackTuning.STAGE);
 	}
 
 	private static double range(final EndPath path) {

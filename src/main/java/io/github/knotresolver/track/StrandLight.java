@@ -23,19 +23,6 @@ import io.github.knotresolver.progress.Cancellation;
  */
 record StrandLight(double[] light, boolean open) {
 
-	/** Strands that lie on each other are brighter: a low quantile is that of one. */
-	private static final double QUANTILE = 0.3;
-
-	/** An open filament's skeleton is at least this part of the usual longest. */
-	private static final double OPEN_LENGTH = 0.9;
-
-	/** The usual longest: this quantile of all frames' lengths. */
-	private static final double LONGEST = 0.9;
-
-	/** So many open frames over this part of the movie are enough to tell a change. */
-	private static final int ENOUGH = 4;
-	private static final double SPAN = 0.25;
-
 	/**
 	 * @param frames the frames, in order of time
 	 * @param sets their trails
@@ -47,13 +34,13 @@ record StrandLight(double[] light, boolean open) {
 			.mapToDouble(Polyline::length).sorted().toArray();
 		final double longest = lengths.length == 0
 			? 0
-			: lengths[(int) (LONGEST * (lengths.length - 1))];
+			: lengths[(int) (TrackTuning.LONGEST * (lengths.length - 1))];
 		final int[] open = IntStream.range(0, frames.size())
 			.filter(t -> frames.get(t).graph().junctions() == 0
-				&& contours.get(t).filter(c -> c.length() >= OPEN_LENGTH * longest).isPresent())
+				&& contours.get(t).filter(c -> c.length() >= TrackTuning.OPEN_LENGTH * longest).isPresent())
 			.toArray();
-		final boolean enough = open.length >= ENOUGH
-			&& open[open.length - 1] - open[0] >= SPAN * (frames.size() - 1);
+		final boolean enough = open.length >= TrackTuning.LIGHT_FRAMES
+			&& open[open.length - 1] - open[0] >= TrackTuning.LIGHT_SPAN * (frames.size() - 1);
 		final double[] light = new double[frames.size()];
 		Arrays.fill(light, Double.NaN);
 		for (final int t : enough ? open : IntStream.range(0, frames.size()).toArray()) {
@@ -75,6 +62,6 @@ record StrandLight(double[] light, boolean open) {
 		for (int i = 0; i < light.length; i++)
 			light[i] = frame.light().meanAround(contour.x(i), contour.y(i));
 		Arrays.sort(light);
-		return light[(int) (QUANTILE * (light.length - 1))];
+		return light[(int) (TrackTuning.STRAND_QUANTILE * (light.length - 1))];
 	}
 }

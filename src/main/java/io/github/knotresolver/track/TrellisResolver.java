@@ -36,13 +36,7 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 	Workers workers) implements Resolver {
 
 	/** Price of typical motion that has been found to work. */
-	public static final double DEFAULT_MOTION = 16;
-
-	/** A gap of this price (pixels) gives a confidence of 63 %. */
-	private static final double GAP_SCALE = 10;
-
-	/** Contours nearer than this (pixels, at equal arc length) do not differ visibly. */
-	private static final double VISIBLE = 2.5;
+	public static final double DEFAULT_MOTION = TrackTuning.SKELETON_MOTION;
 
 	/** Quantiles of the single frames' guesses that are tried as the length. */
 	private static final double[] QUANTILES = {0.1, 0.3, 0.5, 0.7, 0.9};
@@ -53,7 +47,7 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 	 * @param generator proposes contours
 	 */
 	public TrellisResolver(final CandidateGenerator generator) {
-		this(generator, DEFAULT_MOTION, Workers.HERE);
+		this(generator, TrackTuning.SKELETON_MOTION, Workers.HERE);
 	}
 
 	private record Solution(List<FrameCandidates> columns, TrellisPath path,
@@ -146,11 +140,11 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 	private static double confidence(final Solution solution, final int t, final int chosen) {
 		final List<Polyline> contours = solution.columns.get(t).contours();
 		final double gap = solution.path.gap(t, v -> differ(contours.get(v), contours.get(chosen)));
-		return 1 - Math.exp(-gap / GAP_SCALE);
+		return 1 - Math.exp(-gap / TrackTuning.SKELETON_GAP);
 	}
 
 	private static boolean differ(final Polyline a, final Polyline b) {
-		return Math.abs(a.length() - b.length()) > 2 * VISIBLE
-			|| EqualArcDistance.mean(a, b) > VISIBLE;
+		return Math.abs(a.length() - b.length()) > 2 * TrackTuning.VISIBLE
+			|| EqualArcDistance.mean(a, b) > TrackTuning.VISIBLE;
 	}
 }

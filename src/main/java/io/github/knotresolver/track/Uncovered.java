@@ -13,9 +13,6 @@ import io.github.knotresolver.graph.SkeletonGraph;
 /** How much of the objects under a contour it does not run along. */
 final class Uncovered {
 
-	/** Skeleton within this distance (pixels) of the contour is covered. */
-	private static final double NEAR = 5;
-
 	private Uncovered() {
 	}
 
@@ -45,7 +42,7 @@ final class Uncovered {
 	private static double far(final Segment segment, final Polyline contour) {
 		int far = 0;
 		for (int i = 0; i < segment.curve().size(); i++)
-			if (distance(segment.curve().point(i), contour) > NEAR)
+			if (distance(segment.curve().point(i), contour) > TrackTuning.COVERED)
 				far++;
 		return segment.length() * far / segment.curve().size();
 	}

@@ -13,19 +13,8 @@ import io.github.knotresolver.geometry.Polyline;
  */
 final class Unexplained {
 
-	private static final double BLUR = 0.8;
-
-	/** Squared residual at which a pixel's price begins to level off. */
-	private static final double LEVEL = 0.25;
-
-	/** Below this nothing counts, and below so many standard deviations of the noise. */
-	private static final double LEAST = 0.02, DEVIATIONS = 3;
-
-	/** What a Gaussian of {@link #BLUR} leaves of the noise. */
+	/** What a Gaussian of {@link TrackTuning#RESIDUE_BLUR} leaves of the noise. */
 	private static final double CALMED = 0.35;
-
-	/** Pixels within this distance of a curve are around it. */
-	private static final int NEAR = 4;
 
 	private final int width;
 	private final int height;
@@ -38,15 +27,15 @@ final class Unexplained {
 	 * @param noise of a pixel in strands
 	 */
 	Unexplained(final Scene scene, final double noise) {
-		final NormalizedFrame left = scene.residual().blurred(BLUR);
+		final NormalizedFrame left = scene.residual().blurred(TrackTuning.RESIDUE_BLUR);
 		width = left.width();
 		height = left.height();
 		map = left.pixels();
 		stamp = new int[map.length];
-		final double floor = Math.max(LEAST, Math.pow(DEVIATIONS * CALMED * noise, 2));
+		final double floor = Math.max(TrackTuning.RESIDUE_LEAST, Math.pow(TrackTuning.RESIDUE_NOISES * CALMED * noise, 2));
 		for (int i = 0; i < map.length; i++) {
 			final double square = map[i] * map[i];
-			map[i] = Math.max(0, square / (1 + square / LEVEL) - floor);
+			map[i] = Math.max(0, square / (1 + square / TrackTuning.RESIDUE_LEVEL) - floor);
 		}
 	}
 
@@ -84,13 +73,13 @@ final class Unexplained {
 
 	private double aroundNode(final double x, final double y) {
 		double sum = 0;
-		for (int row = Math.max(0, (int) Math.ceil(y - NEAR)); row <= Math.min(height - 1,
-			(int) Math.floor(y + NEAR)); row++)
-			for (int c = Math.max(0, (int) Math.ceil(x - NEAR)); c <= Math.min(width - 1,
-				(int) Math.floor(x + NEAR)); c++) {
+		for (int row = Math.max(0, (int) Math.ceil(y - TrackTuning.RESIDUE_NEAR)); row <= Math.min(height - 1,
+			(int) Math.floor(y + TrackTuning.RESIDUE_NEAR)); row++)
+			for (int c = Math.max(0, (int) Math.ceil(x - TrackTuning.RESIDUE_NEAR)); c <= Math.min(width - 1,
+				(int) Math.floor(x + TrackTuning.RESIDUE_NEAR)); c++) {
 				final int at = row * width + c;
 				if (stamp[at] != stamps
-					&& (c - x) * (c - x) + (row - y) * (row - y) <= NEAR * NEAR) {
+					&& (c - x) * (c - x) + (row - y) * (row - y) <= TrackTuning.RESIDUE_NEAR * TrackTuning.RESIDUE_NEAR) {
 					stamp[at] = stamps;
 					sum += map[at];
 				}

@@ -17,25 +17,16 @@ import io.github.knotresolver.fit.Fit;
  */
 record WoundStarts(double reach) {
 
-	/** From this usual motion on (pixels), a fit from where the filament was may not find it. */
-	private static final double FAST = 5;
-
 	/** How far it slides, in multiples of usual motion. */
 	private static final double[] SLIDES = {0.5, 1, 1.5, 2, 3};
 
 	/** Where it winds up, as part of the length. */
 	private static final double[] PLACES = {0.04, 0.1, 0.2, 0.35};
 
-	/** So many are fitted. */
-	private static final int BEST = 2;
-
-	/** Starts nearer to each other than this (pixels) are one. */
-	private static final double SAME = 2;
-
 	/** @return the most promising starts; none for a filament that moves little */
 	List<Chain> of(final Chain here, final FilamentFitter fitter) {
 		final List<Chain> starts = new ArrayList<>();
-		if (reach < FAST)
+		if (reach < TrackTuning.FAST)
 			return starts;
 		final List<Fit> rough = new ArrayList<>();
 		for (final double place : PLACES)
@@ -48,7 +39,7 @@ record WoundStarts(double reach) {
 			}
 		rough.sort(Comparator.comparingDouble(Fit::energy));
 		for (final Fit f : rough)
-			if (starts.size() < BEST && starts.stream().allMatch(s -> s.distance(f.chain()) > SAME))
+			if (starts.size() < TrackTuning.WOUND_BEST && starts.stream().allMatch(s -> s.distance(f.chain()) > TrackTuning.WOUND_SAME))
 				starts.add(f.chain());
 		return starts;
 	}

@@ -40,9 +40,9 @@ class FitConfidenceTest {
 	void whatEverythingSpeaksAgainstIsNotResolved() {
 		final double[] all = new double[FIGURES];
 		Arrays.fill(all, Double.POSITIVE_INFINITY);
-		assertTrue(confidence(all) < FitConfidence.NONE);
+		assertTrue(confidence(all) < TrackTuning.NO_CONFIDENCE);
 		Arrays.fill(all, Double.NaN);
-		assertTrue(confidence(all) < FitConfidence.NONE);
+		assertTrue(confidence(all) < TrackTuning.NO_CONFIDENCE);
 	}
 
 	@ParameterizedTest

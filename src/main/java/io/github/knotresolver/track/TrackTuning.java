@@ -1,0 +1,470 @@
+package io.github.knotresolver.track;
+
+/**
+ * The numbers by which the fits of all frames become tracks. Brightness is in strands: 1 is
+ * that of a single one; a usual motion is what the filament moves from frame to frame at the
+ * median. Prices of the trellis are in strands squared, as the energy of a fit. {@code
+ * scripts/ablation} measures what halving and doubling each does.
+ */
+final class TrackTuning {
+
+	/**
+	 * [px] Contours that lie nearer to each other, on average at equal arc length, are one to the
+	 * eye. Why: a line is about that wide.
+	 */
+	static final double VISIBLE = 2.5;
+
+	/**
+	 * [price] A gap of this price takes 63 % of a rival's weight. Why: the noise of a fit's
+	 * energy.
+	 */
+	static final double GAP_SCALE = 2;
+
+	/**
+	 * [logit] A figure that lowers the logit by less is not told as a reason. Why: it halves the
+	 * odds.
+	 */
+	static final double REASON = 0.7;
+
+	/**
+	 * [probability] Below this a contour cannot be called resolved. Why: one in ten thousand is
+	 * right.
+	 */
+	static final double NO_CONFIDENCE = 0.0001;
+
+	/**
+	 * [price] Price of usual motion between skeletons, in px. Why: skeletons are noisy, so one
+	 * good guess must not outweigh its neighbours.
+	 */
+	static final double SKELETON_MOTION = 16;
+
+	/**
+	 * [price] A gap of this price, in px, gives a confidence of 63 %. Why: as much skeleton is
+	 * easily left out.
+	 */
+	static final double SKELETON_GAP = 10;
+
+	/**
+	 * [line widths] A place that a person shows is meant to within this. Why: people click on the
+	 * line.
+	 */
+	static final double SHOWN_WIDTHS = 2;
+
+	/** [px] ... but no better than this. Why: a mouse is not steadier. */
+	static final double SHOWN_LEAST = 3;
+
+	/** [px] The usual motion is at least this. Why: fits are no better. */
+	static final double LEAST_MOTION = 0.5;
+
+	/** [rad] The usual turn is at least this. Why: fits are no better. */
+	static final double LEAST_TURN = 0.05;
+
+	/**
+	 * [ratio] Lengths whose ratio is above this differ. Why: below, arc lengths agree to a link.
+	 */
+	static final double OTHER_LENGTH = 1.005;
+
+	/**
+	 * [price] Price of usual motion. Why: far below what a strand in the dark costs, so that light
+	 * decides where there is any.
+	 */
+	static final double USUAL_MOTION = 0.2;
+
+	/**
+	 * [price] Price of each further multiple of usual motion. Why: ten times usual motion costs as
+	 * much as seven pixels of strand in the dark.
+	 */
+	static final double FURTHER_MOTION = 0.7;
+
+	/**
+	 * [px] Spacing of the points at which skeletons' contours are compared. Why: skeletons are
+	 * smooth over that.
+	 */
+	static final double DISTANCE_STEP = 4;
+
+	/**
+	 * [px] Pairs are warped up to this much beyond the nearest one's distance. Why: farther ones
+	 * cannot become the nearest.
+	 */
+	static final double WARP = 12;
+
+	/** [px] Motion of a skeleton below this is noise. Why: skeletons go from pixel to pixel. */
+	static final double SKELETON_NOISE = 1;
+
+	/**
+	 * [usual motion] From this on, a longer jump is hardly worse than a shorter. Why: what jumps
+	 * has been lost, wherever it went.
+	 */
+	static final double JUMP = 5;
+
+	/**
+	 * [share] This part of the last step is expected to go on. Why: a beating filament slows down
+	 * and turns.
+	 */
+	static final double INERTIA = 0.7;
+
+	/** [px] Motion below this needs no start of its own. Why: a fit finds what is that near. */
+	static final double SLOW = 0.75;
+
+	/**
+	 * [price] A hypothesis that is this much more expensive than the best is dropped. Why: one
+	 * frame does not make up for it.
+	 */
+	static final double HOPELESS = 12;
+
+	/**
+	 * [probability] A contour that is less sure is doubtful. Why: it is rather wrong than right.
+	 */
+	static final double DOUBTFUL = 0.5;
+
+	/** [episodes] So many doubtful episodes are told. Why: a person reads no more. */
+	static final int EPISODES = 10;
+
+	/**
+	 * [frames] Light says of so many frames at least where the end is, or the skeletons do. Why:
+	 * fewer have no spread.
+	 */
+	static final int SETTLING = 5;
+
+	/** [px] A skeleton ends so much before the filament does. Why: half a usual width. */
+	static final double SKELETON_SHORT = 2;
+
+	/**
+	 * [px] An end that stays is seen within this distance in half of the frames. Why: fits of an
+	 * end agree to a third of that.
+	 */
+	static final double STILL_END = 0.7;
+
+	/**
+	 * [px] ... as skeletons see it, within this. Why: they end a pixel or two earlier or later.
+	 */
+	static final double STILL_SKELETON = 3;
+
+	/** [share] ... and within twice of that in this share of them. Why: some frames are wrong. */
+	static final double STILL_SHARE = 0.9;
+
+	/**
+	 * [px] Standard deviation of an end as a fit of an open frame says. Why: the fit's own, in the
+	 * dark beyond the end.
+	 */
+	static final double LIGHT_NOISE = 0.3;
+
+	/** [px] ... as any fit says. Why: some are crossed. */
+	static final double FIT_NOISE = 0.5;
+
+	/** [px] ... as a skeleton says. Why: see {@code SKELETON_SHORT}. */
+	static final double END_NOISE = 1.5;
+
+	/**
+	 * [strands] Frames of more noise are blurred before they are fitted. Why: a fit would follow
+	 * single pixels.
+	 */
+	static final double NOISY = 0.3;
+
+	/** [px] ... by this. Why: that calms noise to a quarter and widens a line by a tenth. */
+	static final double CALMING = 1;
+
+	/**
+	 * [px] A step of an end this long costs as much as its vote brings. Why: ends are noisy by
+	 * less, and other ends are farther.
+	 */
+	static final double END_STEP = 5;
+
+	/** [ends] A path goes on from one of the last so many ends. Why: it bounds the work. */
+	static final int END_MEMORY = 600;
+
+	/** [px] An anchor that moves by less is not worth a note. Why: it is within the line. */
+	static final double NOTED_DRIFT = 2;
+
+	/** [px] Objects with less skeleton are specks. Why: a filament is longer than five widths. */
+	static final double SPECK = 15;
+
+	/**
+	 * [share] Weight of skeleton that lies still. Why: debris does, and a filament only near its
+	 * clamp.
+	 */
+	static final double STILL_VOTE = 0.05;
+
+	/** [px] An end this near to the border is cut off by it. Why: filters see no line there. */
+	static final double BORDER = 4;
+
+	/**
+	 * [share] ... and its vote counts so much. Why: a clamp may lie outside, but ends that pass
+	 * the border are more frequent.
+	 */
+	static final double AT_BORDER = 0.3;
+
+	/**
+	 * [px] The direction of an end is taken over this arc length. Why: less is a staircase, more
+	 * is a bend.
+	 */
+	static final double END_DIRECTION = 8;
+
+	/**
+	 * [px] Ends within this distance are in the same place. Why: skeletons end within two pixels,
+	 * and fields drift.
+	 */
+	static final double SAME_PLACE = 4;
+
+	/**
+	 * [share] A path needs this share of the best path's votes to be looked at. Why: a clamp that
+	 * is hidden half of the time.
+	 */
+	static final double CONTENDER = 0.4;
+
+	/**
+	 * [px] Price of a path without any votes, and of one that is never in the same place. Why: as
+	 * much as a trail that misses a junction.
+	 */
+	static final double FEWER_VOTES = 20;
+
+	/**
+	 * [px] Price of a frame in which no trail begins at a place. Why: as long as a short filament.
+	 */
+	static final double NO_TRAIL = 100;
+
+	/**
+	 * [px] A skeleton that is this near to a place holds it. Why: where strands cross, the
+	 * skeleton lies beside them.
+	 */
+	static final double ASIDE = 6;
+
+	/** [paths] So many paths are looked at. Why: a filament has two ends; the rest is debris. */
+	static final int CONTENDERS = 5;
+
+	/** [frames] ... in so many frames. Why: means of twelve differ enough. */
+	static final int FRAMES_TO_TRY = 12;
+
+	/**
+	 * [lengths] So few lengths say nothing about a change. Why: a line and a break have four
+	 * parameters.
+	 */
+	static final int COURSE_LENGTHS = 6;
+
+	/** [lengths] ... and so few beside a break. Why: two may be wrong together. */
+	static final int BESIDE_BREAK = 3;
+
+	/**
+	 * [share] Errors of lengths are at least this large. Why: fits are no better, whatever their
+	 * own errors say.
+	 */
+	static final double LENGTH_ERROR = 0.006;
+
+	/**
+	 * [share] A change over the movie of less than this is none. Why: bleaching and focus make as
+	 * much.
+	 */
+	static final double LENGTH_CHANGE = 0.025;
+
+	/**
+	 * [standard deviations] What is farther off is wrong, however far. Why: one in four hundred by
+	 * chance.
+	 */
+	static final double LENGTH_OUTLIER = 3;
+
+	/**
+	 * [ln n] Price of a parameter. Why: half more than the Bayesian criterion's, since errors are
+	 * correlated.
+	 */
+	static final double PARAMETER = 1.5;
+
+	/**
+	 * [frames] A wandering length has a parameter for so many frames. Why: it goes to and fro no
+	 * faster.
+	 */
+	static final double WANDERING = 5;
+
+	/** [frames] Fewer unbranched frames say nothing. Why: a median needs three. */
+	static final int UNBRANCHED = 3;
+
+	/**
+	 * [standard deviations] A skeleton's length that is farther off is an outlier. Why: one in
+	 * four hundred by chance.
+	 */
+	static final double SKELETON_OUTLIER = 3;
+
+	/** [share] ... if by more than this. Why: skeletons are no better. */
+	static final double SKELETON_TOLERANCE = 0.03;
+
+	/** [frames] So many whole frames say how long the filament is. Why: a median needs three. */
+	static final int WHOLE_FRAMES = 3;
+
+	/**
+	 * [share] With fewer frames cut by the border the estimate from the clearest frames holds.
+	 * Why: a median does not mind.
+	 */
+	static final double CUT_FRAMES = 0.1;
+
+	/**
+	 * [share] What agrees within this with the median is used. Why: fits of open frames agree to
+	 * less.
+	 */
+	static final double WHOLE_OUTLIER = 0.06;
+
+	/**
+	 * [standard deviations] What is farther off is wrong, however far. Why: one in ten thousand by
+	 * chance.
+	 */
+	static final double WALK_OUTLIER = 4;
+
+	/** [rounds] So often values that are far off lose weight. Why: it settles. */
+	static final int WALK_ROUNDS = 3;
+
+	/**
+	 * [frames] Medians of so many known values to both sides show a jump. Why: one of three may be
+	 * wrong.
+	 */
+	static final int JUMP_WINDOW = 3;
+
+	/**
+	 * [standard deviations] ... if they differ by more than this. Why: noise does not in a movie.
+	 */
+	static final double WALK_JUMP = 6;
+
+	/**
+	 * [frames] So many frames are enough to learn the filament from. Why: each is fitted several
+	 * times.
+	 */
+	static final int SIGHTINGS = 14;
+
+	/**
+	 * [frames] Fewer unbranched skeletons are not relied on alone. Why: two may be cut at the same
+	 * place.
+	 */
+	static final int SIMPLE_FRAMES = 3;
+
+	/** [px] Shorter contours are not looked at. Why: their ends are all there is. */
+	static final double SIGHTED = 12;
+
+	/**
+	 * [share] The length that this share of the frames does not reach is taken. Why: a filament
+	 * that hides a part of itself looks short, never long.
+	 */
+	static final double SIGHTED_QUANTILE = 0.8;
+
+	/**
+	 * [share] ... and frames that are within this of it. Why: skeletons of open frames agree to
+	 * that.
+	 */
+	static final double SIGHTED_TOLERANCE = 0.06;
+
+	/**
+	 * [share] So many of the frames must show one object with at most two ends. Why: debris and
+	 * gaps spoil some.
+	 */
+	static final double NEARLY_ALL = 0.85;
+
+	/** [px] Objects with less skeleton are specks. Why: a filament is longer than four widths. */
+	static final double SINGLE_SPECK = 12;
+
+	/**
+	 * [share] ... or with less than this part of the longest. Why: another filament is not that
+	 * short.
+	 */
+	static final double SINGLE_SPECK_SHARE = 0.1;
+
+	/** [px] A shorter branch has no end of its own. Why: as wide as a thick line. */
+	static final double SINGLE_SPUR = 8;
+
+	/**
+	 * [share] A clamped end is seen in so many open frames. Why: it moves neither away nor under
+	 * the filament.
+	 */
+	static final double CLAMP_SEEN = 0.85;
+
+	/** [share] ... and its steps leave it so much of its votes. Why: a gliding end loses half. */
+	static final double CLAMP_VOTES = 0.55;
+
+	/** [px] A stage moves a clamp no farther than this. Why: a filament that moves on is free. */
+	static final double STAGE = 24;
+
+	/** [frames] So many frames must show both ends. Why: fewer may be chance. */
+	static final int FEWEST_OPEN = 5;
+
+	/**
+	 * [share] This quantile of the light along a skeleton is that of a single strand. Why: strands
+	 * that lie on each other are brighter, and gaps are rare.
+	 */
+	static final double STRAND_QUANTILE = 0.3;
+
+	/**
+	 * [share] An open filament's skeleton is at least this part of the usual longest. Why: one
+	 * that winds up is shorter.
+	 */
+	static final double OPEN_LENGTH = 0.9;
+
+	/**
+	 * [share] The usual longest is this quantile of all frames' lengths. Why: the longest itself
+	 * may be wrong.
+	 */
+	static final double LONGEST = 0.9;
+
+	/**
+	 * [frames] So many open frames are enough to tell a change of light. Why: a slope of fewer is
+	 * chance.
+	 */
+	static final int LIGHT_FRAMES = 4;
+
+	/** [share] ... over this part of the movie. Why: a slope of less is chance. */
+	static final double LIGHT_SPAN = 0.25;
+
+	/**
+	 * [px] Skeleton within this distance of a contour is covered. Why: two widths: where strands
+	 * cross, the skeleton lies beside them.
+	 */
+	static final double COVERED = 5;
+
+	/**
+	 * [px] The residual is blurred by this. Why: noise of neighbouring pixels evens out, and a
+	 * strand stays.
+	 */
+	static final double RESIDUE_BLUR = 0.8;
+
+	/**
+	 * [strands²] Squared residual at which a pixel's price begins to level off. Why: one bright
+	 * spot must not decide.
+	 */
+	static final double RESIDUE_LEVEL = 0.25;
+
+	/**
+	 * [strands²] Below this a squared residual does not count. Why: errors of the model of the
+	 * line.
+	 */
+	static final double RESIDUE_LEAST = 0.02;
+
+	/** [noise sigma] ... nor below this. Why: noise. */
+	static final double RESIDUE_NOISES = 3;
+
+	/** [px] Pixels within this distance of a curve are around it. Why: the line and its flanks. */
+	static final int RESIDUE_NEAR = 4;
+
+	/**
+	 * [px] From this usual motion on, a fit from where the filament was may not find it. Why: the
+	 * light of a line reaches that far.
+	 */
+	static final double FAST = 5;
+
+	/** [starts] So many are fitted. Why: each takes as long as a usual fit. */
+	static final int WOUND_BEST = 2;
+
+	/** [px] Starts nearer to each other than this are one. Why: they end in the same fit. */
+	static final double WOUND_SAME = 2;
+
+	/**
+	 * [px] Fits nearer to each other than this on average are one. Why: they end in the same place
+	 * if fitted on.
+	 */
+	static final double SAME_FIT = 1.0;
+
+	/** [candidates] So many of the cheapest candidates are drawn. Why: drawing is cheap. */
+	static final int DRAWN = 12;
+
+	/**
+	 * [candidates] ... and so many of those fitted. Why: prices of skeletons are rough, but hardly
+	 * that rough.
+	 */
+	static final int FITTED = 4;
+
+	private TrackTuning() {
+	}
+}
