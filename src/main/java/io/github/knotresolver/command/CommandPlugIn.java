@@ -88,6 +88,7 @@ public final class CommandPlugIn implements PlugIn {
 		}
 		if (Recorder.record)
 			record(Form.of(command), title);
+		command.watch();
 		command.run();
 		return command.failure();
 	}

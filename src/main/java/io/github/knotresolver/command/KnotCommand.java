@@ -35,6 +35,7 @@ abstract class KnotCommand extends ContextCommand {
 	private StatusService status;
 
 	private Optional<Failure> failure = Optional.empty();
+	private boolean watched;
 
 	@Override
 	public final void run() {
@@ -89,6 +90,16 @@ abstract class KnotCommand extends ContextCommand {
 	 */
 	boolean askForMissing() {
 		return true;
+	}
+
+	/** A person has started it from its dialog, and may see windows of its work. */
+	final void watch() {
+		watched = true;
+	}
+
+	/** @return whether a person looks on */
+	final boolean isWatched() {
+		return watched;
 	}
 
 	/** @return how its fields are put before a person */

@@ -48,7 +48,9 @@ import io.github.knotresolver.ui.FormCompanion;
 import io.github.knotresolver.ui.KeptSession;
 import io.github.knotresolver.ui.LiveResult;
 import io.github.knotresolver.ui.PreviewBox;
+import io.github.knotresolver.ui.RunWindow;
 import io.github.knotresolver.ui.TableClicks;
+import io.github.knotresolver.ui.model.RunModel;
 
 /**
  * {@code Resolve Filament...}: finds one ordered contour per frame in a movie
@@ -230,8 +232,21 @@ public class ResolveFilamentCommand extends KnotCommand {
 
 	@Override
 	void work(final Progress progress) throws IOException {
-		final long start = System.nanoTime();
 		final ImagePlus input = input(progress);
+		final RunModel model = new RunModel(progress);
+		final Optional<RunWindow> window = isWatched()
+			? Optional.of(RunWindow.watch(model, input))
+			: Optional.empty();
+		try {
+			work(input, model, window);
+		} finally {
+			window.ifPresent(RunWindow::close);
+		}
+	}
+
+	private void work(final ImagePlus input, final RunModel progress,
+		final Optional<RunWindow> window) throws IOException {
+		final long start = System.nanoTime();
 		final Map<String, String> texts = ImageSelection.over(texts(), input);
 		final ResolveRun run = ResolveRun.of(texts);
 		final KeptSession session = new KeptSession();
@@ -239,11 +254,12 @@ public class ResolveFilamentCommand extends KnotCommand {
 			engine = session;
 		final ImageSource source = ImageSource.of(input);
 		final Outcome outcome = out == null
-			? run.read(source, progress).resolve(engine, ResultSink.NONE, progress)
+			? resolve(run, source, ResultSink.NONE, progress)
 			: intoFolder(run, source, progress);
 		final MeasuredTracks result = outcome.result();
 		final RoiConverter rois = source.rois();
 		progress.checkCancelled();
+		window.ifPresent(RunWindow::clear);
 		show(input, result, rois);
 		resolution = result.tracks();
 		report(outcome, System.nanoTime() - start);
@@ -253,14 +269,21 @@ public class ResolveFilamentCommand extends KnotCommand {
 		if (engine == session && input.getWindow() != null)
 			LiveResult.keep(input, new LiveResult(result.tracks(), session, texts,
 				Optional.ofNullable(out).map(File::toPath)));
+		window.ifPresent(w -> w.done(result.tracks()));
+	}
+
+	private Outcome resolve(final ResolveRun run, final ImageSource source, final ResultSink sink,
+		final RunModel progress) throws IOException {
+		final ResolveRun.Work work = run.read(source, progress);
+		progress.frames(work.frames());
+		return work.resolve(engine, sink, progress);
 	}
 
 	private Outcome intoFolder(final ResolveRun run, final ImageSource source,
-		final Progress progress) throws IOException {
+		final RunModel progress) throws IOException {
 		try (ResultFolder folder = ResultFolder.reserve(out.toPath(), ResultKind.RESOLVED_MOVIE, force,
 			run.files(source))) {
-			return run.read(source, progress).resolve(engine, new FolderSink(folder, source, plots),
-				progress);
+			return resolve(run, source, new FolderSink(folder, source, plots), progress);
 		}
 	}
 

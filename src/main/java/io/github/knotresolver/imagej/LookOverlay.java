@@ -24,7 +24,7 @@ import net.imglib2.type.logic.BitType;
 public final class LookOverlay {
 
 	/** Every name starts so. */
-	private static final String PREFIX = "look-";
+	static final String PREFIX = "look-";
 	private static final Color OUTLINE = Color.WHITE, DOTS = new Color(0x56, 0xb4, 0xe9);
 	private static final int PIECES = 16, LINKS = 4, TINY = 0;
 	private static final double LINE = 1.5;
@@ -54,9 +54,7 @@ public final class LookOverlay {
 	 */
 	public static Overlay of(final FrameLook look, final Parts parts, final RoiConverter places,
 		final Overlay before) {
-		final Overlay overlay = new Overlay();
-		if (before != null)
-			Arrays.stream(before.toArray()).filter(r -> !isOurs(r)).forEach(overlay::add);
+		final Overlay overlay = without(before);
 		if (parts.outline)
 			outline(look.mask()).ifPresent(r -> add(overlay, r, "mask", look, places));
 		if (parts.skeleton)
@@ -65,6 +63,14 @@ public final class LookOverlay {
 			for (int i = 0; i < look.contours().size(); i++)
 				for (final Roi piece : pieces(look.contours(), i))
 					add(overlay, piece, "contour", look, places);
+		return overlay;
+	}
+
+	/** What others have drawn; before may be null. */
+	static Overlay without(final Overlay before) {
+		final Overlay overlay = new Overlay();
+		if (before != null)
+			Arrays.stream(before.toArray()).filter(r -> !isOurs(r)).forEach(overlay::add);
 		return overlay;
 	}
 

@@ -1,5 +1,8 @@
-
 package io.github.knotresolver.progress;
+
+import java.util.List;
+
+import io.github.knotresolver.geometry.Polyline;
 
 /**
  * Where long work says how far it is, and asks whether it should stop. ImageJ,
@@ -36,6 +39,16 @@ public interface Progress {
 	 * @param sentence one sentence
 	 */
 	default void note(final String sentence) {
+	}
+
+	/**
+	 * Called when contours of a frame are found, long before it is decided which are right. Whoever
+	 * does not draw them need not listen.
+	 *
+	 * @param frame 1-based number of the frame
+	 * @param contours in pixels, in place of those that were told of this frame before
+	 */
+	default void sighted(final int frame, final List<Polyline> contours) {
 	}
 
 	/** @return whether the user asked to stop */

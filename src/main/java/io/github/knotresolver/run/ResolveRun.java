@@ -16,6 +16,7 @@ import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.session.FrameChoice;
 
 /**
  * The use case: options and a movie are read, the movie is resolved, the result
@@ -81,6 +82,11 @@ public final class ResolveRun {
 			this.settings = settings;
 			this.file = source.file();
 			this.notes = source.notes();
+		}
+
+		/** @return how many frames are resolved */
+		public int frames() {
+			return new FrameChoice(movie, settings).frames().size();
 		}
 
 		/**

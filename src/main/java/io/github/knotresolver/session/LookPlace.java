@@ -56,7 +56,7 @@ record LookPlace(Movie movie, WorkingPixels pixels) {
 			objects.size(),
 			objects.stream().mapToInt(MaskObject::pixels).sum() * pixels.binning()
 				* pixels.binning(),
-			courses.curves.stream().map(this::out).toList(), courses.hiddenEnds, lines.polarity,
+			courses.curves.stream().map(pixels::out).toList(), courses.hiddenEnds, lines.polarity,
 			lines.width);
 	}
 
@@ -113,16 +113,6 @@ record LookPlace(Movie movie, WorkingPixels pixels) {
 			values[i] = value.applyAsDouble(pixels.out(curve.point(i)));
 		Arrays.sort(values);
 		return values[values.length / 2];
-	}
-
-	private Polyline out(final Polyline curve) {
-		final double[] x = new double[curve.size()], y = new double[curve.size()];
-		for (int i = 0; i < x.length; i++) {
-			final Point p = pixels.out(curve.point(i));
-			x[i] = p.x();
-			y[i] = p.y();
-		}
-		return Polyline.of(x, y);
 	}
 
 	private Img<BitType> enlarged(final Img<BitType> mask) {

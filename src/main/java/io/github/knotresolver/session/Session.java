@@ -82,7 +82,8 @@ public final class Session {
 	/** Searches a part of the movie; the result is in the whole movie's pixels. */
 	private Tracks within(final Settings told, final Progress progress) {
 		final Region region = told.region().orElseThrow();
-		final Tracks found = part.orElseThrow().solve(region.of(told).constraints(), progress);
+		final Tracks found = part.orElseThrow().solve(region.of(told).constraints(),
+			new PlacedProgress(progress, region::back));
 		final List<String> notes = new ArrayList<>(found.notes());
 		notes.add("Only the region x=" + region.x() + " y=" + region.y() + " width="
 			+ region.width() + " height=" + region.height() + " was searched.");

@@ -56,11 +56,12 @@ final class SolvedMovie {
 		final PreparedMovie prepared = PreparedMovie.of(movie, settings, wanted, workers, progress);
 		if (prepared.frames().isEmpty())
 			throw nothingFound(movie, settings);
-		final Optional<SceneTracks> scene = scene(prepared, settings, workers, progress);
+		final Progress placed = new PlacedProgress(progress, prepared.pixels()::out);
+		final Optional<SceneTracks> scene = scene(prepared, settings, workers, placed);
 		return new SolvedMovie(movie, prepared, scene,
 			scene.isPresent()
 				? Optional.empty()
-				: Optional.of(single(movie, prepared, settings, workers, progress)));
+				: Optional.of(single(movie, prepared, settings, workers, placed)));
 	}
 
 	/** All filaments of the movie; empty if it holds one that is clamped, or one is asked for. */
@@ -130,7 +131,7 @@ final class SolvedMovie {
 			.resolve(
 				prepared.pixels().in(told.constraints().stream()
 					.filter(c -> c.kind().isOfContour()).toList()),
-				workers, progress)
+				workers, new PlacedProgress(progress, prepared.pixels()::out))
 			.orElseThrow(() -> nothingFound(movie, told));
 		if (found.frames().stream().allMatch(f -> f.contour().isEmpty()))
 			throw nothingFound(movie, told);

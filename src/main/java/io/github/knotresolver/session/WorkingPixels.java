@@ -51,6 +51,11 @@ record WorkingPixels(int binning, int x, int y) {
 		return new Point((p.x() + x) * binning + centre(), (p.y() + y) * binning + centre());
 	}
 
+	/** @return a contour in these pixels, in the movie's */
+	Polyline out(final Polyline contour) {
+		return moved(contour, this::out);
+	}
+
 	/** @return a filament in these pixels, in the movie's */
 	FilamentTrack out(final FilamentTrack track) {
 		return equals(SAME)

@@ -2,6 +2,7 @@ package io.github.knotresolver.track;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
@@ -258,6 +259,9 @@ public final class FitResolver {
 			if (course.length().isOpen(t))
 				fits.addAll(new FitProposals(frames.get(t), course.otherIn(t), links, false)
 					.of(candidates(frames.get(t), course.otherIn(t)), fitter, stiff));
+			fits.stream().min(Comparator.comparingDouble(Fit::energy))
+				.ifPresent(best -> progress.sighted(frames.get(t).frame(),
+					List.of(best.chain().contour())));
 			return fits;
 		});
 	}

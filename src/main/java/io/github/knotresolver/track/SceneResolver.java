@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
+import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.model.AnchorChoice;
@@ -109,6 +110,9 @@ public final class SceneResolver {
 			final ScenePass pass = ScenePass.from(seed.frame(), seed.chains(), line, weights,
 				progress);
 			passes.add(new Priced(pass, pass.price(line)));
+			for (int t = 0; t < line.frames().size(); t++)
+				progress.sighted(line.frames().get(t).frame(),
+					pass.chains().get(t).stream().map(Chain::contour).toList());
 			if (passes.get(passes.size() - 1).isClear())
 				break;
 		}

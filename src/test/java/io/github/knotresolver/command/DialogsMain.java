@@ -124,6 +124,7 @@ final class DialogsMain {
 		scenes.put("a hidden image stays hidden", this::hiddenImage);
 		scenes.put("the ROI Manager is measured", this::measure);
 		scenes.putAll(PreviewScenes.scenes());
+		scenes.putAll(RunScenes.scenes());
 		return scenes;
 	}
 

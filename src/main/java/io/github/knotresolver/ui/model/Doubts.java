@@ -33,7 +33,7 @@ final class Doubts {
 		return doubtful.get(Math.floorMod(next, doubtful.size()));
 	}
 
-	private static boolean isDoubtful(final Observation o) {
+	static boolean isDoubtful(final Observation o) {
 		return switch (o.status()) {
 			case RESOLVED -> !(o.confidence() >= ResultCounts.SURE);
 			case UNRESOLVED, LOST -> true;
