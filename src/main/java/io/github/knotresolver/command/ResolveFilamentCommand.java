@@ -3,7 +3,6 @@ package io.github.knotresolver.command;
 import java.awt.GraphicsEnvironment;
 import java.io.File;
 import java.io.IOException;
-import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -18,14 +17,11 @@ import org.scijava.widget.FileWidget;
 
 import ij.ImagePlus;
 import ij.WindowManager;
-import ij.plugin.frame.RoiManager;
-import io.github.knotresolver.imagej.ContourTables;
 import io.github.knotresolver.imagej.FolderSink;
 import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageSelection;
 import io.github.knotresolver.imagej.ImageSource;
 import io.github.knotresolver.imagej.ImageView;
-import io.github.knotresolver.imagej.ResultDisplay;
 import io.github.knotresolver.imagej.RoiConverter;
 import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.imagej.form.FormField;
@@ -49,7 +45,6 @@ import io.github.knotresolver.ui.KeptSession;
 import io.github.knotresolver.ui.LiveResult;
 import io.github.knotresolver.ui.PreviewBox;
 import io.github.knotresolver.ui.RunWindow;
-import io.github.knotresolver.ui.TableClicks;
 import io.github.knotresolver.ui.model.RunModel;
 
 /**
@@ -65,17 +60,6 @@ import io.github.knotresolver.ui.model.RunModel;
  */
 @Plugin(type = Command.class, label = "Resolve Filament...", attrs = @Attr(name = "no-legacy"))
 public class ResolveFilamentCommand extends KnotCommand {
-
-	/** What everyone meets, and the rest in the order in which data flows. */
-	static final FormGroups GROUPS = FormGroups
-		.basic("image", "movie", "filaments", "channel", "frames", "length", "out")
-		.and("Calibration", "pixel_size", "unit", "frame_interval", "z_as_time")
-		.and("Where to look", "fixed_end", "region", "ignore_frames", "corrections")
-		.and("From frame to mask", "polarity", "segmentation", "log_size", "log_sigma", "threshold",
-			"iterations", "contraction_bias", "smooth_factor")
-		.and("How contours are resolved", "anchor", "length_model", "candidates", "resolver",
-			"refine", "threads")
-		.and("What comes of it", "overlay", "roi_manager", "tables", "plots", "force");
 
 	@Parameter(label = "Image", description = "The active one", required = false, persist = false, visibility = ItemVisibility.INVISIBLE)
 	private ImagePlus image;
@@ -198,7 +182,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 
 	@Override
 	FormGroups groups() {
-		return GROUPS;
+		return ResolveGroups.ALL;
 	}
 
 	@Override
@@ -260,7 +244,9 @@ public class ResolveFilamentCommand extends KnotCommand {
 		final RoiConverter rois = source.rois();
 		progress.checkCancelled();
 		window.ifPresent(RunWindow::clear);
-		show(input, result, rois);
+		final ShownParts shown = new ShownParts(overlay, roi_manager, tables);
+		if (!shown.of(result, input, rois, movie != null))
+			say("The Results table holds rows of others, so the frames were not put there; run(\"Clear Results\") before.");
 		resolution = result.tracks();
 		report(outcome, System.nanoTime() - start);
 		if (GraphicsEnvironment.isHeadless())
@@ -304,32 +290,6 @@ public class ResolveFilamentCommand extends KnotCommand {
 		if (threads == 0)
 			texts.remove("threads");
 		return texts;
-	}
-
-	/** An image that was hidden stays hidden; one that was opened here is shown. */
-	private void show(final ImagePlus input, final MeasuredTracks result, final RoiConverter rois) {
-		final ResultDisplay display = new ResultDisplay(input, result.tracks(), rois);
-		if (overlay)
-			display.overlay();
-		final boolean visible = !GraphicsEnvironment.isHeadless();
-		if (movie != null && visible)
-			input.show();
-		if (roi_manager && visible)
-			display.fill(manager());
-		if (tables && !new ContourTables(input.getTitle(), result).show())
-			say("The Results table holds rows of others, so the frames were not put there; run(\"Clear Results\") before.");
-		// Tables stay open when the image is closed, and must not keep it.
-		final int id = input.getID();
-		if (tables && visible)
-			for (final String table : List.of("-contours", "-frames"))
-				TableClicks.lead(input.getTitle() + table,
-					() -> Optional.ofNullable(WindowManager.getImage(id)), 1);
-	}
-
-	/** That of a macro in batch mode stays hidden. */
-	private static RoiManager manager() {
-		final RoiManager present = RoiManager.getInstance2();
-		return present == null ? RoiManager.getRoiManager() : present;
 	}
 
 	private void report(final Outcome outcome, final long nanos) {

@@ -54,6 +54,15 @@ class FormTest {
 	}
 
 	@Test
+	void everyFieldOfResolveIsInOneGroup() {
+		final List<String> grouped = Stream.concat(ResolveGroups.ALL.basic().stream(),
+			ResolveGroups.ALL.advanced().stream().flatMap(g -> g.names().stream())).sorted()
+			.toList();
+		assertEquals(Form.of(new ResolveFilamentCommand()).fields().stream().map(FormField::name)
+			.sorted().toList(), grouped);
+	}
+
+	@Test
 	void menuHasEveryCommandUnderItsLabel() throws Exception {
 		try (InputStream in = FormTest.class.getResourceAsStream("/plugins.config")) {
 			final String menu = new String(in.readAllBytes(), StandardCharsets.UTF_8);
