@@ -34,7 +34,7 @@ public final class ResolveOptions {
 			.writes(c -> c.settings().fixedEnd().map(Point::toString).orElse(null)),
 
 		option("region", Kind.TEXT).basic(Section.FRAMES).takes("X,Y,W,H")
-			.label("Region (x,y,width,height)")
+			.label("Region (x,y,width,height in px)")
 			.help("Search only there: left column, upper row, width and height in pixels")
 			.byDefault("everywhere").range("inside the image, 8 x 8 pixels at least")
 			.reads((d, t) -> d.settings.region(Optional.of(OptionText.region("region", t))))
@@ -49,7 +49,7 @@ public final class ResolveOptions {
 				? c.settings().segmentation().threshold().getAsDouble()
 				: "otsu"),
 
-		option("iterations", Kind.WHOLE).advanced(Section.MASK).takes("N").label("Iterations")
+		option("iterations", Kind.WHOLE).advanced(Section.MASK).takes("N").label("Iterations (steps)")
 			.help("Steps of the active contour that moves the mask's outline").byDefault("10")
 			.range("0 to 1000")
 			.reads((d,
@@ -120,7 +120,7 @@ public final class ResolveOptions {
 				.resolver(OptionText.choice("resolver", t, ResolverMethod.class)))
 			.writes(c -> word(c.settings().resolver())),
 
-		option("length", Kind.TEXT).basic(Section.FILAMENT).takes("L").label("Length (if known)")
+		option("length", Kind.TEXT).basic(Section.FILAMENT).takes("L").label("Length (if known; image's unit)")
 			.help("Known length of the filament, in the image's unit").byDefault("estimated")
 			.range("above 0")
 			.reads((d, t) -> d.length = OptionalDouble.of(OptionText.positive("length", t)))
