@@ -34,9 +34,6 @@ public record SceneEvaluation(List<FilamentScore> filaments, int resultFilaments
 	int crossingFrames, int resolved, int resolvedCrossing, int found, int switches, int shown,
 	int wrong, int silent) {
 
-	/** A contour with more confidence than this is believed. */
-	static final double SURE = 0.9;
-
 	public SceneEvaluation {
 		filaments = List.copyOf(filaments);
 	}

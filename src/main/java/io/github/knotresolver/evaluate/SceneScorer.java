@@ -11,6 +11,7 @@ import java.util.TreeSet;
 
 import io.github.knotresolver.evaluate.SceneCurve.Agreement;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
 
 /** Compares all filaments of a result with all true ones, frame by frame, and counts. */
@@ -172,6 +173,6 @@ final class SceneScorer {
 		return confidence.isEmpty()
 			? -1
 			: (int) wrong.stream().filter(w -> confidence.getOrDefault(w[0], Map.of())
-				.getOrDefault(w[1], 0.0) > SceneEvaluation.SURE).count();
+				.getOrDefault(w[1], 0.0) > Observation.SURE).count();
 	}
 }

@@ -4,21 +4,19 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 
+import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.UserException;
 
 /**
  * A finished result in a few numbers. A frame counts once for each filament.
  *
  * @param resolved frames with a contour that is sure, or that a person has checked
- * @param doubtful frames with a contour of a confidence below {@link #SURE} that nobody has checked
+ * @param doubtful frames with a contour of a confidence below {@link Observation#SURE} that nobody has checked
  * @param lost frames that ought to have a contour, and have none
  * @param filaments how many filaments there are
  * @param length the first filament's length with its unit; empty if it is not known
  */
 public record ResultCounts(int resolved, int doubtful, int lost, int filaments, String length) {
-
-	/** From this confidence on, nine of ten contours are right, and a person need not look. */
-	public static final double SURE = 0.9;
 
 	/**
 	 * @param folder a result folder
@@ -39,7 +37,7 @@ public record ResultCounts(int resolved, int doubtful, int lost, int filaments, 
 			final boolean checked = frames.text(row, "checked").equals("1");
 			switch (frames.text(row, "status")) {
 				case "resolved", "corrected" -> {
-					if (checked || frames.number(row, "confidence") >= SURE)
+					if (checked || frames.number(row, "confidence") >= Observation.SURE)
 						resolved++;
 					else
 						doubtful++;

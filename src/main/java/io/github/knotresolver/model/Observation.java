@@ -29,6 +29,9 @@ public record Observation(int frame, FrameStatus status, String reason, Optional
 	int junctions, int candidates, double cost, double confidence, double visible,
 	List<Alternative> alternatives) {
 
+	/** A contour with more confidence than this is believed: nine of ten such contours are right, and a person need not look. */
+	public static final double SURE = 0.9;
+
 	public Observation {
 		if (frame < 1)
 			throw new IllegalArgumentException(

@@ -5,6 +5,7 @@ import java.util.Optional;
 
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitQuality;
+import io.github.knotresolver.model.Observation;
 
 /**
  * How likely it is that a frame's contour is right: a logistic function of what can be seen
@@ -16,9 +17,6 @@ import io.github.knotresolver.fit.FitQuality;
  * @param usualMisfit median misfit of the movie's chosen fits
  */
 record FitConfidence(double usualMisfit) {
-
-	/** From this on nothing needs to be said. */
-	private static final double SURE = 0.9;
 
 	private static final double CONSTANT = 9;
 
@@ -63,7 +61,7 @@ record FitConfidence(double usualMisfit) {
 
 	/** What lowers a confidence, in words; empty if it is high. */
 	static String reason(final FitEvidence evidence) {
-		if (of(evidence) >= SURE)
+		if (of(evidence) >= Observation.SURE)
 			return "";
 		final double[] figures = evidence.figures();
 		final StringBuilder reason = new StringBuilder("Doubtful: ");

@@ -3,7 +3,6 @@ package io.github.knotresolver.ui.model;
 import java.util.Comparator;
 import java.util.List;
 
-import io.github.knotresolver.io.ResultCounts;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
@@ -35,7 +34,7 @@ final class Doubts {
 
 	static boolean isDoubtful(final Observation o) {
 		return switch (o.status()) {
-			case RESOLVED -> !(o.confidence() >= ResultCounts.SURE);
+			case RESOLVED -> !(o.confidence() >= Observation.SURE);
 			case UNRESOLVED, LOST -> true;
 			case CORRECTED, ABSENT, IGNORED -> false;
 		};
