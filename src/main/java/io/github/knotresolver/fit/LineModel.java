@@ -27,7 +27,10 @@ public record LineModel(Kind kind, double sigma, double power, double[] brightne
 	/** How strands that lie on each other add up. */
 	public enum Kind {
 
-		SATURATING, ADDITIVE
+		/** A crossing is as bright as one strand. */
+		SATURATING,
+		/** A crossing is as bright as its strands together. */
+		ADDITIVE
 
 	}
 

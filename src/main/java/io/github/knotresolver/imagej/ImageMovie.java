@@ -61,12 +61,18 @@ public final class ImageMovie {
 		return image.getNFrames() == 1 && image.getNSlices() > 1;
 	}
 
-	/** @return whether all that the image has several of is channels */
+	/**
+	 * @param image an image
+	 * @return whether all that it has several of is channels
+	 */
 	public static boolean isAlongChannels(final ImagePlus image) {
 		return image.getNFrames() == 1 && image.getNSlices() == 1 && image.getNChannels() > 1;
 	}
 
-	/** @return whether the frames of an image are read from another axis than that of time */
+	/**
+	 * @param image an image
+	 * @return whether its frames are read from another axis than that of time
+	 */
 	public static boolean isTimeElsewhere(final ImagePlus image) {
 		return isAlongZ(image) || isAlongChannels(image);
 	}

@@ -29,6 +29,10 @@ public record SimulationRun(SimulationParameters parameters, Rendering rendering
 	public static final String MOVIE = "movie.tif";
 
 	/**
+	 * Checks.
+	 *
+	 * @param parameters physics of the movie
+	 * @param rendering how it is drawn
 	 * @throws UserException if a value is out of range, in one sentence
 	 */
 	public SimulationRun {

@@ -28,7 +28,14 @@ public record BatchRow(int line, String movie, Map<String, String> texts, boolea
 		notes = List.copyOf(notes);
 	}
 
-	/** A row that asks for nothing by hand. */
+	/**
+	 * A row that asks for nothing by hand.
+	 *
+	 * @param line 1-based line of the sheet
+	 * @param movie the movie's file, as text
+	 * @param texts the row's options by their keys, not yet checked
+	 * @param notes what the row asks for and this program does otherwise
+	 */
 	public BatchRow(final int line, final String movie, final Map<String, String> texts,
 		final List<String> notes) {
 		this(line, movie, texts, false, notes);

@@ -49,7 +49,14 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 		contours = List.copyOf(contours);
 	}
 
-	/** Contours of the only filament. */
+	/**
+	 * Contours of the only filament.
+	 *
+	 * @param name what they are called
+	 * @param contours one a frame, empty where there is none
+	 * @param calibration units
+	 * @param lengthErrorPx error of the length in pixels
+	 */
 	public ContourInput(final String name, final List<Optional<Polyline>> contours,
 		final Calibration calibration, final double lengthErrorPx) {
 		this(name, contours, calibration, lengthErrorPx, 1);

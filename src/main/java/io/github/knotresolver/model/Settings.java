@@ -47,10 +47,8 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 	/** No fixed end told, automatic threshold, our candidates and resolver. */
 	public static final Settings DEFAULT = new Builder().build();
 
-	/**
-	 * Evidence has no parameters: in the published method, and where something is said about
-	 * threshold, active contour or Laplacian of Gaussian, those make the mask instead.
-	 */
+	// Evidence has no parameters: in the published method, and where something is said about
+	// threshold, active contour or Laplacian of Gaussian, those make the mask instead.
 	public Settings {
 		Objects.requireNonNull(fixedEnd);
 		Objects.requireNonNull(region);

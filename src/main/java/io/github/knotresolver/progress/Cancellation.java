@@ -18,6 +18,12 @@ public final class Cancellation {
 	@FunctionalInterface
 	public interface Work<T, E extends Exception> {
 
+		/**
+		 * Does it.
+		 *
+		 * @return what it gives
+		 * @throws E if it fails
+		 */
 		T run() throws E;
 	}
 

@@ -41,7 +41,7 @@ public record FitEvidence(double rival, double misfit, double pattern, double da
 		"the contour leaves out parts of the object that it touches",
 		"the contour moved much farther than usual since the frame before or to the next"};
 
-	/** The figures in the order of their names, none negative, none above what matters. */
+	/** @return the figures in the order of their names, none negative, none above what matters */
 	public double[] figures() {
 		final double[] figures = {rival, misfit, pattern, dark, unexplained, invented, beyond,
 			missing, uncovered, jump};

@@ -24,6 +24,11 @@ public record LikeSource(Movie movie, List<Optional<Polyline>> contours, Setting
 	private static final int FEWEST_PAIRS = 2;
 
 	/**
+	 * Checks.
+	 *
+	 * @param movie the movie
+	 * @param contours its contours
+	 * @param parameters what they were made with
 	 * @throws UserException if movie and contours do not belong
 	 *           together, or tell too little, in one sentence
 	 */

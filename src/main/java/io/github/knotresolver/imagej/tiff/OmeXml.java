@@ -83,7 +83,11 @@ public final class OmeXml {
 		return builder;
 	}
 
-	/** Puts size of pixels and time between frames, as far as they are told, into an image's. */
+	/**
+	 * Puts size of pixels and time between frames in, as far as they are told.
+	 *
+	 * @param calibration that of an image
+	 */
 	public void calibrate(final Calibration calibration) {
 		final double x = number(pixels, "PhysicalSizeX"), y = number(pixels, "PhysicalSizeY");
 		if (x > 0) {
