@@ -13,13 +13,13 @@ import org.scijava.plugin.Plugin;
 import org.scijava.widget.FileWidget;
 
 import io.github.knotresolver.evaluate.FrameScore;
+import io.github.knotresolver.evaluate.like.LikeReport;
 import io.github.knotresolver.evaluate.like.LikeResult;
 import io.github.knotresolver.evaluate.like.LikeStudy;
 import io.github.knotresolver.imagej.LikeFolder;
 import io.github.knotresolver.imagej.LikeRun;
 import io.github.knotresolver.imagej.ScoreFiles;
 import io.github.knotresolver.imagej.plot.ScorePlots;
-import io.github.knotresolver.io.LikeReport;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.io.Scores;

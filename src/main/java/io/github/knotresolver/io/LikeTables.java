@@ -11,6 +11,7 @@ import org.apache.commons.csv.CSVPrinter;
 import io.github.knotresolver.evaluate.EvaluationSummary;
 import io.github.knotresolver.evaluate.FrameScore;
 import io.github.knotresolver.evaluate.like.LikeMovie;
+import io.github.knotresolver.evaluate.like.LikeReport;
 import io.github.knotresolver.evaluate.like.LikeResult;
 
 /**

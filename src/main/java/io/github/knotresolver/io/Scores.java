@@ -8,6 +8,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 import io.github.knotresolver.evaluate.Evaluation;
+import io.github.knotresolver.evaluate.EvaluationReport;
 import io.github.knotresolver.evaluate.FilamentScore;
 import io.github.knotresolver.evaluate.FrameScore;
 import io.github.knotresolver.evaluate.SceneEvaluation;

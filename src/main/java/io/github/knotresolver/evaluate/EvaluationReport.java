@@ -1,14 +1,9 @@
-package io.github.knotresolver.io;
+package io.github.knotresolver.evaluate;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-import io.github.knotresolver.evaluate.ErrorHistogram;
-import io.github.knotresolver.evaluate.Evaluation;
-import io.github.knotresolver.evaluate.EvaluationSummary;
-import io.github.knotresolver.evaluate.FilamentScore;
-import io.github.knotresolver.evaluate.SceneEvaluation;
 
 /** An evaluation in a few lines, for people. */
 public final class EvaluationReport {

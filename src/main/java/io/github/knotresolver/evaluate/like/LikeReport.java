@@ -1,4 +1,4 @@
-package io.github.knotresolver.io;
+package io.github.knotresolver.evaluate.like;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -11,9 +11,6 @@ import org.apache.commons.math3.stat.StatUtils;
 
 import io.github.knotresolver.evaluate.CurveScore;
 import io.github.knotresolver.evaluate.ErrorHistogram;
-import io.github.knotresolver.evaluate.like.ClusteredProportion;
-import io.github.knotresolver.evaluate.like.LikeMovie;
-import io.github.knotresolver.evaluate.like.LikeResult;
 
 /** A study of movies like a user's in a few lines, for people. */
 public final class LikeReport {
