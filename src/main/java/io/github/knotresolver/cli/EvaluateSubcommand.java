@@ -8,8 +8,8 @@ import java.util.concurrent.Callable;
 import io.github.knotresolver.evaluate.like.LikeReport;
 import io.github.knotresolver.evaluate.like.LikeResult;
 import io.github.knotresolver.evaluate.like.LikeStudy;
+import io.github.knotresolver.imagej.ImageSource;
 import io.github.knotresolver.imagej.LikeFolder;
-import io.github.knotresolver.imagej.LikeRun;
 import io.github.knotresolver.imagej.ScoreFiles;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
@@ -18,6 +18,7 @@ import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.run.LikeRun;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -136,7 +137,8 @@ final class EvaluateSubcommand implements Callable<Integer> {
 	}
 
 	private LikeStudy study() throws IOException {
-		return Usage.of(spec, () -> LikeRun.study(LikeRun.source(like, movie), engine, progress));
+		return Usage.of(spec, () -> LikeRun
+			.study(LikeRun.source(like, movie, ImageSource::of, progress), engine, progress));
 	}
 
 	private LikeResult scores(final LikeStudy study, final int count) {

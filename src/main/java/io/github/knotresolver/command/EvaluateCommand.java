@@ -16,8 +16,8 @@ import io.github.knotresolver.evaluate.FrameScore;
 import io.github.knotresolver.evaluate.like.LikeReport;
 import io.github.knotresolver.evaluate.like.LikeResult;
 import io.github.knotresolver.evaluate.like.LikeStudy;
+import io.github.knotresolver.imagej.ImageSource;
 import io.github.knotresolver.imagej.LikeFolder;
-import io.github.knotresolver.imagej.LikeRun;
 import io.github.knotresolver.imagej.ScoreFiles;
 import io.github.knotresolver.imagej.plot.ScorePlots;
 import io.github.knotresolver.io.ResultFolder;
@@ -28,6 +28,7 @@ import io.github.knotresolver.measure.MeasuredFilament;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.run.LikeRun;
 
 /**
  * {@code Evaluate Against Ground Truth...}: a result against the true contours,
@@ -131,7 +132,9 @@ public class EvaluateCommand extends KnotCommand {
 	}
 
 	private LikeStudy study(final Path original, final Progress progress) {
-		return LikeRun.study(LikeRun.source(like.toPath(), original), Engine.PIPELINE, progress);
+		return LikeRun.study(
+			LikeRun.source(like.toPath(), original, ImageSource::of, progress), Engine.PIPELINE,
+			progress);
 	}
 
 	private static Path path(final String key, final File given) {
