@@ -20,6 +20,8 @@ import org.apache.commons.csv.CSVPrinter;
 import io.github.knotresolver.io.BatchOutcome.Status;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.CellText;
+import io.github.knotresolver.progress.Cancellation;
+import io.github.knotresolver.progress.Progress;
 
 /**
  * {@code batch.csv} in the folder of a batch: one row for every row of the sheet
@@ -205,13 +207,19 @@ public final class BatchList implements AutoCloseable {
 
 	/** @throws IOException if the list cannot be written */
 	public synchronized void write() throws IOException {
-		replace(file.getFileName().toString(), list -> {
-			try (CSVPrinter csv = CsvFile.create(list, HEADER)) {
-				for (final BatchOutcome o : outcomes.values())
-					csv.printRecord(o.row().line(), o.row().shown(), o.label(),
-						o.folder().orElse(""), o.message());
-			}
+		// What is finished is told even if the user asked to stop meanwhile.
+		Cancellation.during(Progress.NONE, () -> {
+			replace(file.getFileName().toString(), this::list);
+			return null;
 		});
+	}
+
+	private void list(final Path target) throws IOException {
+		try (CSVPrinter csv = CsvFile.create(target, HEADER)) {
+			for (final BatchOutcome o : outcomes.values())
+				csv.printRecord(o.row().line(), o.row().shown(), o.label(), o.folder().orElse(""),
+					o.message());
+		}
 	}
 
 	/**

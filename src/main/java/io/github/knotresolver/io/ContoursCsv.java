@@ -20,6 +20,7 @@ import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.OptionText;
+import io.github.knotresolver.progress.Cancellation;
 
 /**
  * {@code contours.csv}: one row a point. {@code x_px, y_px} is the contour as it was
@@ -109,9 +110,11 @@ public final class ContoursCsv {
 		final int filament = records.get(0).cells().stream().map(h -> h.toLowerCase(Locale.ROOT))
 			.toList().indexOf(FILAMENT);
 		final SortedMap<Integer, SortedMap<Integer, SortedMap<Integer, Point>>> points = new TreeMap<>();
-		for (final CsvRow record : records.subList(1, records.size()))
+		for (final CsvRow record : records.subList(1, records.size())) {
+			Cancellation.check();
 			addPoint(file, record, columns,
 				points.computeIfAbsent(filament(file, record, filament), k -> new TreeMap<>()));
+		}
 		final SortedMap<Integer, SortedMap<Integer, Polyline>> contours = new TreeMap<>();
 		points.forEach((number, frames) -> {
 			final SortedMap<Integer, Polyline> own = new TreeMap<>();

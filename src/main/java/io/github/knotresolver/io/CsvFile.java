@@ -1,9 +1,12 @@
 
 package io.github.knotresolver.io;
 
+import java.io.BufferedWriter;
+import java.io.FilterWriter;
 import java.io.IOException;
 import java.io.StringReader;
 import java.io.UncheckedIOException;
+import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,6 +21,7 @@ import org.apache.commons.csv.CSVRecord;
 
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.CellText;
+import io.github.knotresolver.progress.Cancellation;
 
 /**
  * CSV as this program writes it (UTF-8, commas, line feeds) and as others do: with
@@ -36,10 +40,26 @@ final class CsvFile {
 	private CsvFile() {
 	}
 
-	/** @return a printer into a new file, to be closed */
+	/** Asks before every block whether the work is to stop. */
+	private static final class AskingWriter extends FilterWriter {
+
+		AskingWriter(final Writer out) {
+			super(out);
+		}
+
+		@Override
+		public void write(final char[] text, final int from, final int length)
+			throws IOException {
+			Cancellation.check();
+			super.write(text, from, length);
+		}
+	}
+
+	/** @return a printer into a new file, to be closed; may be cancelled */
 	static CSVPrinter create(final Path file, final String... header) throws IOException {
 		final CSVPrinter printer = new CSVPrinter(
-			Files.newBufferedWriter(file, StandardCharsets.UTF_8), WRITE);
+			new BufferedWriter(new AskingWriter(Files.newBufferedWriter(file, StandardCharsets.UTF_8))),
+			WRITE);
 		if (header.length > 0)
 			printer.printRecord((Object[]) header);
 		return printer;
@@ -70,9 +90,11 @@ final class CsvFile {
 		final List<CsvRow> rows = new ArrayList<>();
 		try (CSVParser parser = READ.builder().setDelimiter(delimiter).get()
 			.parse(new StringReader(text))) {
-			for (final CSVRecord record : parser)
+			for (final CSVRecord record : parser) {
+				Cancellation.check();
 				if (told.isEmpty() || record.getRecordNumber() > 1)
 					rows.add(CsvRow.of((int) parser.getCurrentLineNumber(), record));
+			}
 			return rows;
 		} catch (final IOException | UncheckedIOException e) {
 			throw new UserException(file + " is damaged after line "

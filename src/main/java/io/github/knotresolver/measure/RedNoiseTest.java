@@ -59,6 +59,7 @@ final class RedNoiseTest {
 	}
 
 	private TimeSeries simulated(final double rho, final Random random) {
+		Cancellation.check();
 		final double[] values = new double[series.size()];
 		final double kick = Math.sqrt(1 - rho * rho);
 		double state = random.nextGaussian();

@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.zip.GZIPInputStream;
 
+import org.apache.commons.csv.CSVPrinter;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -22,6 +23,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.progress.Cancellation;
+import io.github.knotresolver.progress.CancelledException;
+import io.github.knotresolver.progress.Progress;
 
 /** Tables as spreadsheets of all countries write them. */
 class CsvFileTest {
@@ -29,6 +33,8 @@ class CsvFileTest {
 	private static final Path FAULTS = Path.of("../shared/data/faults");
 	private static final List<Point> POINTS = List.of(new Point(10.5, 20), new Point(11, 20.25),
 		new Point(12, 21));
+
+	private static final int ROWS = 20_000;
 
 	@TempDir
 	Path home;
@@ -126,5 +132,45 @@ class CsvFileTest {
 				Files.write(table, in.readAllBytes());
 			}
 		assertTrue(ContourInput.read(table).contours().stream().anyMatch(c -> c.isPresent()));
+	}
+
+	/** Tables of long movies have millions of rows. */
+	@Test
+	void readingAndWritingEndWhenTheUserAsksToStop() throws IOException {
+		final Path file = home.resolve("long.csv");
+		assertEquals(ROWS, written(file, Integer.MAX_VALUE));
+		final int[] questions = {0};
+		assertEquals(ROWS + 1,
+			Cancellation.during(stoppedAt(Integer.MAX_VALUE, questions), () -> CsvFile.read(file))
+				.size());
+		assertTrue(questions[0] > ROWS, "asked " + questions[0] + " times");
+		assertThrows(CancelledException.class,
+			() -> Cancellation.during(stoppedAt(50, new int[1]), () -> CsvFile.read(file)));
+		assertThrows(CancelledException.class, () -> written(home.resolve("other.csv"), 3));
+	}
+
+	private static int written(final Path file, final int questions) throws IOException {
+		return Cancellation.during(stoppedAt(questions, new int[1]), () -> {
+			int row = 0;
+			try (CSVPrinter csv = CsvFile.create(file, "frame", "index")) {
+				for (; row < ROWS; row++)
+					csv.printRecord(row, 7);
+			}
+			return row;
+		});
+	}
+
+	private static Progress stoppedAt(final int most, final int[] questions) {
+		return new Progress() {
+
+			@Override
+			public void report(final String stage, final double fraction) {
+			}
+
+			@Override
+			public boolean isCancelled() {
+				return ++questions[0] > most;
+			}
+		};
 	}
 }
