@@ -4,6 +4,7 @@ package io.github.knotresolver.measure;
 import java.util.Arrays;
 import java.util.Random;
 
+import io.github.knotresolver.progress.Cancellation;
 import io.github.knotresolver.progress.Workers;
 
 /**
