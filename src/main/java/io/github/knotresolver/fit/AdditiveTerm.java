@@ -12,6 +12,7 @@ import java.util.Arrays;
 final class AdditiveTerm implements ImageTerm {
 
 	private final NormalizedFrame frame;
+	private final double[] pixels;
 	private final double[] brightness;
 	private final double sigma2;
 	private final double reach;
@@ -37,6 +38,7 @@ final class AdditiveTerm implements ImageTerm {
 
 	AdditiveTerm(final NormalizedFrame frame, final LineTables line, final int links) {
 		this.frame = frame;
+		pixels = frame.pixels();
 		strip = new Strip(frame.width(), frame.height());
 		brightness = line.model().brightnessOfLinks(links);
 		sigma2 = line.model().sigma() * line.model().sigma();
@@ -45,11 +47,11 @@ final class AdditiveTerm implements ImageTerm {
 		error = line.along();
 		density = 1 / Math.sqrt(2 * Math.PI * sigma2);
 		robust = line.robust();
-		final int pixels = frame.pixels().length;
-		model = new double[pixels];
-		head = new int[pixels];
+		final int size = pixels.length;
+		model = new double[size];
+		head = new int[size];
 		Arrays.fill(head, -1);
-		band = new int[pixels];
+		band = new int[size];
 	}
 
 	@Override
@@ -58,11 +60,10 @@ final class AdditiveTerm implements ImageTerm {
 		accumulate(x, y, links, system != null);
 		if (system != null)
 			system.clear();
-		final double[] pixels = frame.pixels();
 		double sum = 0;
 		for (int b = 0; b < bandSize; b++) {
 			final int at = band[b];
-			final double residual = frame.residual(at, model[at]);
+			final double residual = frame.residual(at, pixels[at], model[at]);
 			sum += robust.price(residual) - robust.price(pixels[at]);
 			if (system != null && !frame.hides(at, model[at]))
 				addPixel(at, residual, system);

@@ -26,7 +26,7 @@ final class ChainPixels {
 	 */
 	static boolean[] of(final NormalizedFrame frame, final List<Chain> chains,
 		final double radius) {
-		final boolean[] near = new boolean[frame.pixels().length];
+		final boolean[] near = new boolean[frame.width() * frame.height()];
 		chains.forEach(c -> mark(frame, c, radius, near));
 		return near;
 	}
@@ -59,7 +59,7 @@ final class ChainPixels {
 	static double[] draw(final NormalizedFrame frame, final LineModel model, final Chain chain) {
 		final double[] x = new double[chain.links() + 1], y = new double[chain.links() + 1];
 		chain.nodes(x, y);
-		final double[] picture = new double[frame.pixels().length];
+		final double[] picture = new double[frame.width() * frame.height()];
 		ImageTerm.of(frame, model, chain.links()).draw(x, y, chain.links(), picture);
 		return picture;
 	}

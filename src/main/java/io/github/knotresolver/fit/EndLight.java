@@ -166,6 +166,7 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 			final double[] picture = ChainPixels.draw(part,
 				LineModel.uniform(model.kind(), model.sigma(), model.power()),
 				Chain.along(line, 2, length));
+			final double[] pixels = part.pixels();
 			double light = 0, norm = 0;
 			for (int i = 0; i < picture.length; i++) {
 				final double own = model.kind() == LineModel.Kind.ADDITIVE
@@ -175,7 +176,7 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 				if (model.kind() == LineModel.Kind.ADDITIVE
 					&& part.hides(i, drawn[i] + own * expected))
 					continue;
-				light += own * (part.pixels()[i] - drawn[i]);
+				light += own * (pixels[i] - drawn[i]);
 				norm += own * own;
 			}
 			return norm < FitTuning.PIECE_SEEN * length * model.in(frame).sigma()

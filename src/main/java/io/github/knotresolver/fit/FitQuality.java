@@ -22,10 +22,11 @@ public record FitQuality(double misfit, double dark) {
 		final Chain chain) {
 		final double[] picture = ChainPixels.draw(frame, model, chain);
 		final boolean[] near = ChainPixels.of(frame, chain, FitTuning.QUALITY_RADIUS);
+		final double[] pixels = frame.pixels();
 		double sum = 0;
 		for (int i = 0; i < picture.length; i++)
 			if (near[i])
-				sum += Robust.ALONE.price(frame.residual(i, picture[i], model));
+				sum += Robust.ALONE.price(frame.residual(i, pixels[i], picture[i], model));
 		return new FitQuality(sum / chain.length(), dark(frame, model, chain));
 	}
 

@@ -44,7 +44,7 @@ interface ImageTerm {
 		return of(frame, new LineTables(model.in(frame), Robust.ALONE), links,
 			model.kind() == LineModel.Kind.ADDITIVE
 				? new double[0]
-				: new double[frame.pixels().length]);
+				: new double[frame.width() * frame.height()]);
 	}
 
 	/**

@@ -70,9 +70,10 @@ public final class LineEstimator {
 		}
 
 		/** As long as nothing is known of the amplitude, all pixels that were cut off are. */
-		private boolean isHidden(final NormalizedFrame frame, final int at, final double picture) {
+		private boolean isHidden(final NormalizedFrame frame, final int at, final double pixel,
+			final double picture) {
 			return Double.isNaN(residual)
-				? frame.isClipped() && frame.pixels()[at] > frame.ceiling()[at]
+				? frame.isClipped() && pixel > frame.ceiling()[at]
 				: frame.hides(at, amplitude * picture + background);
 		}
 
@@ -150,7 +151,8 @@ public final class LineEstimator {
 					all++;
 					sumAll += pixels[i];
 					squareAll += pixels[i] * pixels[i];
-					if (!believes && known.isHidden(example.frame, i, picture[i]))
+					if (!believes && known.isHidden(example.frame, i, pixels[i],
+						picture[i]))
 						continue;
 					n++;
 					sumM += picture[i];

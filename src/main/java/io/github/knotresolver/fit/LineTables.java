@@ -1,6 +1,10 @@
 
 package io.github.knotresolver.fit;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
 import org.apache.commons.math3.special.Erf;
 
 /**
@@ -9,12 +13,45 @@ import org.apache.commons.math3.special.Erf;
  */
 public final class LineTables {
 
+	/** Curves of so many lines are kept: of a movie, and of those tried while it is learned. */
+	private static final int KEPT = 16;
+
+	/** Making them takes as long as a fit. They are functions of their keys alone. */
+	private static final Map<Key, Curves> KNOWN = Collections
+		.synchronizedMap(new LinkedHashMap<>(2 * KEPT, 0.75f, true) {
+
+			@Override
+			protected boolean removeEldestEntry(final Map.Entry<Key, Curves> eldest) {
+				return size() > KEPT;
+			}
+		});
+
 	private final LineModel model;
 	private final Robust robust;
 	private final double reach;
-	private final Table across;
-	private final Table along;
-	private final LineTables additive;
+	private final Curves curves;
+
+	/** What tables depend on. */
+	private record Key(LineModel.Kind kind, double sigma, double power, double reach) {
+	}
+
+	/** Functions of a line. */
+	private record Curves(Table across, Table along) {
+
+		static Curves of(final Key key) {
+			final double sigma2 = key.sigma * key.sigma, reach = key.reach;
+			if (key.kind == LineModel.Kind.ADDITIVE)
+				return new Curves(new Table(reach * reach, d2 -> Math.exp(-d2 / (2 * sigma2))),
+					new Table(reach, d -> 0.5 * Erf.erfc(d / Math.sqrt(2 * sigma2))));
+			final double k = 1 / (2 * key.sigma * key.sigma), p = key.power;
+			// Shifted by a thousandth, so that the price has no step where the band ends.
+			final double rim = Math.exp(-Math.pow(k * reach * reach, p));
+			return new Curves(
+				new Table(reach * reach, d2 -> Math.exp(-Math.pow(k * d2, p)) - rim),
+				new Table(reach * reach, d2 -> -p * k * Math.pow(Math.max(k * d2, 1e-9), p - 1)
+					* Math.exp(-Math.pow(k * d2, p))));
+		}
+	}
 
 	/**
 	 * @param model the line
@@ -23,24 +60,16 @@ public final class LineTables {
 	LineTables(final LineModel model, final Robust robust) {
 		this.model = model;
 		this.robust = robust;
-		final double sigma2 = model.sigma() * model.sigma();
-		additive = model.kind() == LineModel.Kind.ADDITIVE
-			? this
-			: new LineTables(LineModel.uniform(LineModel.Kind.ADDITIVE, model.sigma(), 1), robust);
-		if (model.kind() == LineModel.Kind.ADDITIVE) {
-			reach = model.sigma() * (robust == Robust.TOGETHER ? FitTuning.SCENE_REACH : FitTuning.ADDITIVE_REACH);
-			across = new Table(reach * reach, d2 -> Math.exp(-d2 / (2 * sigma2)));
-			along = new Table(reach, d -> 0.5 * Erf.erfc(d / Math.sqrt(2 * sigma2)));
-		} else {
-			reach = model.reach();
-			final double k = 1 / (2 * model.sigma() * model.sigma());
-			final double p = model.power();
-			// Shifted by a thousandth, so that the price has no step where the band ends.
-			final double rim = Math.exp(-Math.pow(k * reach * reach, p));
-			across = new Table(reach * reach, d2 -> Math.exp(-Math.pow(k * d2, p)) - rim);
-			along = new Table(reach * reach, d2 -> -p * k * Math.pow(Math.max(k * d2, 1e-9), p - 1)
-				* Math.exp(-Math.pow(k * d2, p)));
-		}
+		reach = model.kind() == LineModel.Kind.ADDITIVE
+			? model.sigma() * (robust == Robust.TOGETHER
+				? FitTuning.SCENE_REACH
+				: FitTuning.ADDITIVE_REACH)
+			: model.reach();
+		final Key key = new Key(model.kind(), model.sigma(), model.power(), reach);
+		final Curves known = KNOWN.get(key);
+		curves = known == null ? Curves.of(key) : known;
+		if (known == null)
+			KNOWN.put(key, curves);
 	}
 
 	/**
@@ -58,7 +87,9 @@ public final class LineTables {
 
 	/** A line as wide whose light adds up. */
 	LineTables additive() {
-		return additive;
+		return model.kind() == LineModel.Kind.ADDITIVE
+			? this
+			: new LineTables(LineModel.uniform(LineModel.Kind.ADDITIVE, model.sigma(), 1), robust);
 	}
 
 	Robust robust() {
@@ -72,7 +103,7 @@ public final class LineTables {
 
 	/** Brightness by the squared distance from the line. */
 	Table across() {
-		return across;
+		return curves.across;
 	}
 
 	/**
@@ -80,6 +111,6 @@ public final class LineTables {
 	 * {@link #across()}.
 	 */
 	Table along() {
-		return along;
+		return curves.along;
 	}
 }

@@ -21,6 +21,7 @@ final class SaturatingTerm implements ImageTerm {
 	private static final double END_STRETCH = END_SHARPNESS * END_SHARPNESS - 1;
 
 	private final NormalizedFrame frame;
+	private final double[] pixels;
 	private final double reach;
 	private final double[] brightness;
 	private final Table profile;
@@ -48,6 +49,7 @@ final class SaturatingTerm implements ImageTerm {
 	SaturatingTerm(final NormalizedFrame frame, final LineTables line, final int links,
 		final double[] others) {
 		this.frame = frame;
+		pixels = frame.pixels();
 		this.others = others;
 		strip = new Strip(frame.width(), frame.height());
 		reach = line.reach();
@@ -55,12 +57,12 @@ final class SaturatingTerm implements ImageTerm {
 		profile = line.across();
 		slope = line.along();
 		robust = line.robust();
-		final int pixels = frame.pixels().length;
-		distance2 = new double[pixels];
+		final int size = pixels.length;
+		distance2 = new double[size];
 		Arrays.fill(distance2, reach * reach);
-		link = new int[pixels];
-		along = new double[pixels];
-		band = new int[pixels];
+		link = new int[size];
+		along = new double[size];
+		band = new int[size];
 	}
 
 	@Override
@@ -69,7 +71,6 @@ final class SaturatingTerm implements ImageTerm {
 		findBand(x, y, links);
 		if (system != null)
 			system.clear();
-		final double[] pixels = frame.pixels();
 		double sum = 0;
 		for (int b = 0; b < bandSize; b++) {
 			final int at = band[b];

@@ -33,7 +33,7 @@ public final class Scene {
 	public Scene(final NormalizedFrame light, final LineTables line) {
 		this.light = light;
 		this.line = line;
-		picture = new double[light.pixels().length];
+		picture = new double[light.width() * light.height()];
 	}
 
 	/**
@@ -173,12 +173,13 @@ public final class Scene {
 	 * @return light less picture; 0 outside of the frame
 	 */
 	public double mismatch(final int x, final int y) {
+		final double[] pixels = light.pixels();
 		double sum = 0;
 		int count = 0;
 		for (int row = Math.max(0, y - 1); row <= Math.min(light.height() - 1, y + 1); row++)
 			for (int c = Math.max(0, x - 1); c <= Math.min(light.width() - 1, x + 1); c++) {
-				sum += light.residual(row * light.width() + c, picture[row * light.width() + c],
-					line.model());
+				final int at = row * light.width() + c;
+				sum += light.residual(at, pixels[at], picture[at], line.model());
 				count++;
 			}
 		return count == 0 ? 0 : sum / count;

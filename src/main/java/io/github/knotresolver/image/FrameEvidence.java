@@ -1,10 +1,10 @@
 package io.github.knotresolver.image;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
-import net.imglib2.view.Views;
 
 /**
  * What can be seen of lines in one frame, in working pixels: where they are, how sure
@@ -16,65 +16,97 @@ public final class FrameEvidence {
 	private static final double STEP = 0.125;
 
 	private final LineAppearance appearance;
-	private final int width;
-	private final Img<BitType> mask, skeleton;
-	private final byte[] z;
+	private final int width, height;
+	/** Of the mask, each of a row. */
+	private final int[] begins, ends;
 	private final int[] places;
+	private final byte[] z;
 	private final float[] angles, widths;
 	private final double surety;
 
 	/**
+	 * Keeps what is needed of them, a few bytes for a pixel of a line.
+	 *
 	 * @param ridges the frame's ridges
-	 * @param mask the lines' masks; kept, not copied
-	 * @param skeleton their middle lines, one pixel wide; kept, not copied
+	 * @param mask the lines' masks
+	 * @param skeleton their middle lines, one pixel wide
 	 * @param surety see {@link #surety()}
 	 */
 	public FrameEvidence(final Ridges ridges, final Img<BitType> mask, final Img<BitType> skeleton,
 		final double surety) {
 		this.appearance = ridges.appearance();
 		this.width = ridges.width();
-		this.mask = mask;
-		this.skeleton = skeleton;
+		this.height = ridges.height();
 		this.surety = surety;
-		z = new byte[width * ridges.height()];
-		for (int at = 0; at < z.length; at++)
-			z[at] = (byte) Math.max(0, Math.min(255, Math.rint(ridges.z(at) / STEP)));
+		final boolean[] bits = Pixels.bits(mask);
+		begins = runs(bits, width, true);
+		ends = runs(bits, width, false);
 		places = places(Pixels.bits(skeleton));
+		z = new byte[places.length];
 		angles = new float[places.length];
 		widths = new float[places.length];
 		for (int i = 0; i < places.length; i++) {
+			z[i] = (byte) Math.max(0, Math.min(255, Math.rint(ridges.z(places[i]) / STEP)));
 			angles[i] = (float) ridges.angle(places[i]);
 			widths[i] = (float) ridges.lineWidth(places[i]);
 		}
 	}
 
-	private FrameEvidence(final FrameEvidence whole, final long x, final long y, final int width,
+	private FrameEvidence(final FrameEvidence whole, final int x, final int y, final int width,
 		final int height) {
 		appearance = whole.appearance;
 		surety = whole.surety;
 		this.width = width;
-		mask = part(whole.mask, x, y, width, height);
-		skeleton = part(whole.skeleton, x, y, width, height);
-		z = new byte[width * height];
-		for (int row = 0; row < height; row++)
-			System.arraycopy(whole.z, (int) ((y + row) * whole.width + x), z, row * width, width);
-		places = places(Pixels.bits(skeleton));
-		angles = new float[places.length];
-		widths = new float[places.length];
-		for (int i = 0; i < places.length; i++) {
-			final int place = (int) ((places[i] / width + y) * whole.width + places[i] % width + x);
-			final int at = Arrays.binarySearch(whole.places, place);
-			angles[i] = whole.angles[at];
-			widths[i] = whole.widths[at];
+		this.height = height;
+		final boolean[] bits = new boolean[width * height];
+		whole.fill(bits, x, y, width, height);
+		begins = runs(bits, width, true);
+		ends = runs(bits, width, false);
+		final int[] kept = IntStream.range(0, whole.places.length)
+			.filter(i -> whole.x(i) >= x && whole.x(i) < x + width && whole.y(i) >= y
+				&& whole.y(i) < y + height)
+			.toArray();
+		places = new int[kept.length];
+		z = new byte[kept.length];
+		angles = new float[kept.length];
+		widths = new float[kept.length];
+		for (int i = 0; i < kept.length; i++) {
+			places[i] = (whole.y(kept[i]) - y) * width + whole.x(kept[i]) - x;
+			z[i] = whole.z[kept[i]];
+			angles[i] = whole.angles[kept[i]];
+			widths[i] = whole.widths[kept[i]];
 		}
 	}
 
-	private static Img<BitType> part(final Img<BitType> mask, final long x, final long y,
-		final int width, final int height) {
-		return Pixels.mask(
-			Pixels.bits(
-				Views.interval(mask, new long[]{x, y}, new long[]{x + width - 1, y + height - 1})),
-			width);
+	/** Where runs of set pixels begin, or the first pixels after them; none goes on in the next row. */
+	private static int[] runs(final boolean[] bits, final int width, final boolean begin) {
+		int[] runs = new int[64];
+		int count = 0;
+		for (int at = 0; at < bits.length; at++) {
+			if (!bits[at])
+				continue;
+			final boolean is = begin
+				? at % width == 0 || !bits[at - 1]
+				: at % width == width - 1 || !bits[at + 1];
+			if (!is)
+				continue;
+			if (count == runs.length)
+				runs = Arrays.copyOf(runs, 2 * count);
+			runs[count++] = begin ? at : at + 1;
+		}
+		return Arrays.copyOf(runs, count);
+	}
+
+	/** Draws the mask of a part. */
+	private void fill(final boolean[] bits, final int x, final int y, final int columns,
+		final int rows) {
+		for (int i = 0; i < begins.length; i++) {
+			final int row = begins[i] / width - y, first = begins[i] % width - x;
+			final int from = Math.max(0, first);
+			final int to = Math.min(columns, first + ends[i] - begins[i]);
+			if (row >= 0 && row < rows && from < to)
+				Arrays.fill(bits, row * columns + from, row * columns + to, true);
+		}
 	}
 
 	private static int[] places(final boolean[] bits) {
@@ -98,7 +130,7 @@ public final class FrameEvidence {
 
 	/** @return height of the frame in working pixels */
 	public int height() {
-		return z.length / width;
+		return height;
 	}
 
 	/**
@@ -112,14 +144,19 @@ public final class FrameEvidence {
 		return new FrameEvidence(this, x, y, columns, rows);
 	}
 
-	/** @return the lines' masks; not to be changed */
+	/** @return the lines' masks, a new image; O(pixels) */
 	public Img<BitType> mask() {
-		return mask;
+		final boolean[] bits = new boolean[width * height];
+		fill(bits, 0, 0, width, height);
+		return Pixels.mask(bits, width);
 	}
 
-	/** @return the lines' middle lines, one pixel wide; not to be changed */
+	/** @return the lines' middle lines, one pixel wide, a new image; O(pixels) */
 	public Img<BitType> skeleton() {
-		return skeleton;
+		final boolean[] bits = new boolean[width * height];
+		for (final int place : places)
+			bits[place] = true;
+		return Pixels.mask(bits, width);
 	}
 
 	/** @return number of pixels of the skeleton */
@@ -155,15 +192,16 @@ public final class FrameEvidence {
 	}
 
 	/**
-	 * Ridge strength in units of its local noise, for every pixel, line or not: about 1
-	 * on average where there is nothing, seldom above 4.
+	 * Ridge strength in units of its local noise: about 1 on average where there is nothing,
+	 * seldom above 4.
 	 *
-	 * @param x column, 0 to below {@link #width()}
-	 * @param y row, 0 to below {@link #height()}
-	 * @return 0 to 31.9, in steps of an eighth
+	 * @param x column of a pixel of the skeleton
+	 * @param y its row
+	 * @return 0 to 31.9, in steps of an eighth; NaN off the skeleton
 	 */
 	public double z(final int x, final int y) {
-		return STEP * (z[y * width + x] & 255);
+		final int i = Arrays.binarySearch(places, y * width + x);
+		return i < 0 ? Double.NaN : STEP * (z[i] & 255);
 	}
 
 	/**

@@ -1,8 +1,10 @@
 
 package io.github.knotresolver.imagej;
 
-import java.util.ArrayList;
+import java.util.AbstractList;
 import java.util.List;
+import java.util.function.Function;
+import java.util.stream.IntStream;
 
 import net.imglib2.img.basictypeaccess.array.ArrayDataAccess;
 import net.imglib2.img.basictypeaccess.array.ByteArray;
@@ -17,15 +19,14 @@ import net.imglib2.util.Fraction;
 
 import ij.ImagePlus;
 import ij.ImageStack;
-import ij.process.ImageProcessor;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.InputOptions;
 
 /**
  * An ImageJ image seen as a movie: one channel over time. The pixels are shared
- * with the image (8, 16, 32 bit), not copied; they are read, never written. A
- * virtual stack is read once.
+ * with the image (8, 16, 32 bit), not copied; they are read, never written. Frames of a
+ * virtual stack are read when they are needed.
  */
 public final class ImageMovie {
 
@@ -82,47 +83,56 @@ public final class ImageMovie {
 		final int frames = alongChannels
 			? image.getNChannels()
 			: alongZ ? image.getNSlices() : image.getNFrames();
-		final List<Object> planes = new ArrayList<>(frames);
-		for (int t = 1; t <= frames; t++) {
-			final int index = image.getStackIndex(alongChannels ? t : options.channel(),
+		final int[] indices = new int[frames];
+		for (int t = 1; t <= frames; t++)
+			indices[t - 1] = image.getStackIndex(alongChannels ? t : options.channel(),
 				alongZ ? t : 1, alongZ || alongChannels ? 1 : t);
-			planes.add(pixels(image.getStack(), index));
-		}
-		return planes;
-	}
-
-	/** Some virtual stacks give the same array again and again. */
-	private static Object pixels(final ImageStack stack, final int index) {
-		final ImageProcessor plane = stack.getProcessor(index);
-		return stack.isVirtual() ? plane.getPixelsCopy() : plane.getPixels();
+		final ImageStack stack = image.getStack();
+		return stack.isVirtual()
+			? new VirtualPlanes(stack, indices, image.getBitDepth(),
+				Runtime.getRuntime().maxMemory())
+			: IntStream.of(indices).mapToObj(n -> stack.getProcessor(n).getPixels()).toList();
 	}
 
 	private static PlanarImg<UnsignedByteType, ByteArray> bytes(final List<Object> planes,
 		final long[] size) {
-		final PlanarImg<UnsignedByteType, ByteArray> img = planar(
-			planes.stream().map(p -> new ByteArray((byte[]) p)).toList(), size);
+		final PlanarImg<UnsignedByteType, ByteArray> img = planar(planes,
+			p -> new ByteArray((byte[]) p), size);
 		img.setLinkedType(new UnsignedByteType(img));
 		return img;
 	}
 
 	private static PlanarImg<UnsignedShortType, ShortArray> shorts(final List<Object> planes,
 		final long[] size) {
-		final PlanarImg<UnsignedShortType, ShortArray> img = planar(
-			planes.stream().map(p -> new ShortArray((short[]) p)).toList(), size);
+		final PlanarImg<UnsignedShortType, ShortArray> img = planar(planes,
+			p -> new ShortArray((short[]) p), size);
 		img.setLinkedType(new UnsignedShortType(img));
 		return img;
 	}
 
 	private static PlanarImg<FloatType, FloatArray> floats(final List<Object> planes,
 		final long[] size) {
-		final PlanarImg<FloatType, FloatArray> img = planar(
-			planes.stream().map(p -> new FloatArray((float[]) p)).toList(), size);
+		final PlanarImg<FloatType, FloatArray> img = planar(planes,
+			p -> new FloatArray((float[]) p), size);
 		img.setLinkedType(new FloatType(img));
 		return img;
 	}
 
+	/** The image asks for a plane whenever it comes to one. */
 	private static <T extends NativeType<T>, A extends ArrayDataAccess<A>> PlanarImg<T, A> planar(
-		final List<A> planes, final long[] size) {
-		return new PlanarImg<>(planes, size, new Fraction());
+		final List<Object> planes, final Function<Object, A> access, final long[] size) {
+		final List<A> accesses = new AbstractList<>() {
+
+			@Override
+			public A get(final int i) {
+				return access.apply(planes.get(i));
+			}
+
+			@Override
+			public int size() {
+				return planes.size();
+			}
+		};
+		return new PlanarImg<>(accesses, size, new Fraction());
 	}
 }

@@ -27,20 +27,28 @@ public final class Workers implements AutoCloseable {
 	private static final ThreadLocal<Workers> PRESENT = ThreadLocal.withInitial(() -> HERE);
 
 	private final Optional<ExecutorService> executor;
+	private final int threads;
 
 	private Workers() {
 		executor = Optional.empty();
+		threads = 1;
 	}
 
 	/**
 	 * @param threads number of threads, at least 1
 	 */
 	public Workers(final int threads) {
+		this.threads = threads;
 		executor = Optional.of(Executors.newFixedThreadPool(threads, work -> {
 			final Thread thread = new Thread(work, "KnotResolver worker");
 			thread.setDaemon(true);
 			return thread;
 		}));
+	}
+
+	/** @return the number of tasks that are done at a time */
+	public int threads() {
+		return threads;
 	}
 
 	/** @return as many threads as this computer does at a time, for work without {@code --threads} */

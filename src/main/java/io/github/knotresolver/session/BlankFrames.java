@@ -60,10 +60,11 @@ final class BlankFrames {
 	}
 
 	private static double light(final FrameView frame, final boolean[] band) {
+		final double[] pixels = frame.light().pixels();
 		double sum = 0;
 		for (int at = 0; at < band.length; at++)
 			if (band[at])
-				sum += frame.light().pixels()[at];
+				sum += pixels[at];
 		return sum;
 	}
 }

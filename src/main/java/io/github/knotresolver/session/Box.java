@@ -2,8 +2,14 @@ package io.github.knotresolver.session;
 
 import java.util.List;
 
+import net.imglib2.RandomAccessibleInterval;
+import net.imglib2.type.numeric.RealType;
+import net.imglib2.view.Views;
+
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.image.Binning;
 import io.github.knotresolver.image.FrameEvidence;
+import io.github.knotresolver.image.Pixels;
 
 /** A part of all frames, in working pixels. */
 record Box(int x, int y, int width, int height) {
@@ -39,11 +45,19 @@ record Box(int x, int y, int width, int height) {
 			(int) Math.min(height, Math.ceil(bottom) + margin + 1) - y);
 	}
 
-	/** @return this part of a frame of rows of the given width */
-	float[] of(final float[] pixels, final int rowWidth) {
-		final float[] part = new float[width * height];
-		for (int row = 0; row < height; row++)
-			System.arraycopy(pixels, (y + row) * rowWidth + x, part, row * width, width);
-		return part;
+	/**
+	 * @param frame of the movie
+	 * @param binning edge of a working pixel in the movie's pixels
+	 * @return this part of it, in working pixels; NaN where the frame has no value
+	 */
+	float[] of(final RandomAccessibleInterval<? extends RealType<?>> frame, final int binning) {
+		final long left = frame.min(0) + (long) x * binning, top = frame.min(1) + (long) y * binning;
+		final double[] values = Pixels
+			.doubles(Views.interval(frame, new long[]{left, top}, new long[]{
+				left + (long) width * binning - 1, top + (long) height * binning - 1}));
+		final float[] pixels = new float[values.length];
+		for (int i = 0; i < pixels.length; i++)
+			pixels[i] = (float) values[i];
+		return Binning.mean(pixels, width * binning, binning);
 	}
 }

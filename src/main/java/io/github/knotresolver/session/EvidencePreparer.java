@@ -3,18 +3,13 @@ package io.github.knotresolver.session;
 import java.util.ArrayList;
 import java.util.List;
 
-import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.image.Background;
-import io.github.knotresolver.image.Binning;
 import io.github.knotresolver.image.FrameEvidence;
-import io.github.knotresolver.image.LineAppearance;
-import io.github.knotresolver.image.Pixels;
-import io.github.knotresolver.mask.Dilation;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Polarity;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.skeleton.AppearanceFinder;
@@ -24,8 +19,13 @@ import io.github.knotresolver.track.FrameView;
 /** Our way from pixels to graphs: by evidence, with nothing told. */
 final class EvidencePreparer {
 
-	/** Light reaches this many standard deviations of the line beyond its mask. */
-	private static final double HALO = 3;
+	/**
+	 * Bytes that looking at a frame takes at a time: for each of its pixels in each thread, and
+	 * for each in the frames that tell what lines look like.
+	 */
+	private static final int BYTES_A_THREAD = 80, BYTES_ONCE = 16;
+
+	private static final int MEGABYTE = 1 << 20;
 
 	/** Pixels around what was found that are kept. */
 	private static final int MARGIN = 24;
@@ -45,17 +45,22 @@ final class EvidencePreparer {
 
 	/** @param frames 1-based numbers of the frames, in order */
 	PreparedMovie prepare(final List<Integer> frames, final List<Point> told) {
-		final AppearanceFinder.Found found = new AppearanceFinder(workers, progress).find(movie,
+		final Workers threads = inMemory();
+		final AppearanceFinder.Found found = new AppearanceFinder(threads, progress).find(movie,
 			frames, polarity);
 		final List<String> notes = new ArrayList<>(EvidenceNotes.early(found));
 		notes.forEach(progress::note);
 		final EvidenceFinder finder = new EvidenceFinder(found.appearance());
-		final List<FrameEvidence> evidence = workers.map("Finding lines", progress, frames.size(),
+		final List<FrameEvidence> evidence = threads.map("Finding lines", progress, frames.size(),
 			t -> finder.find(movie.frame(frames.get(t) - 1)));
 		final WorkingPixels blocks = new WorkingPixels(found.appearance().binning(), 0, 0);
 		final Box box = Box.around(evidence, told.stream().map(blocks::in).toList(), MARGIN);
-		final List<FrameView> views = workers.map("Thinning", progress, frames.size(),
-			t -> view(frames.get(t), evidence.get(t), box));
+		final FrameLights lights = new FrameLights(movie, box, Runtime.getRuntime().maxMemory());
+		final List<FrameView> views = workers.map("Thinning", progress, frames.size(), t -> {
+			final FrameEvidence part = evidence.get(t).part(box.x(), box.y(), box.width(),
+				box.height());
+			return new FrameView(frames.get(t), lights.of(frames.get(t), part), part);
+		});
 		final List<FrameView> lit = new BlankFrames(views).lit();
 		final List<Observation> lost = new ArrayList<>();
 		for (final FrameView view : views)
@@ -69,55 +74,24 @@ final class EvidencePreparer {
 		notes.addAll(late);
 		return new PreparedMovie(
 			clipping.isClipped()
-				? workers.map(lit.size(), t -> withCeiling(lit.get(t), box, clipping))
+				? workers.map(lit.size(), t -> lights.withCeiling(lit.get(t), clipping))
 				: lit,
 			pixels, lost, clipping.kinds(), notes);
 	}
 
-	/**
-	 * The frame, of which it is known above what brightness it does not say more: less its
-	 * noise, since noise is cut off, too.
-	 */
-	private FrameView withCeiling(final FrameView view, final Box box, final Clipping clipping) {
-		final LineAppearance a = view.evidence().orElseThrow().appearance();
-		final double noise = view.light().noise();
-		final float[] part = box.of(binned(view.frame(), a.binning()),
-			movie.width() / a.binning());
-		final double[] ceiling = new double[part.length];
-		for (int i = 0; i < ceiling.length; i++)
-			// Light is the pixel above its background.
-			ceiling[i] = Float.isFinite(part[i])
-				? clipping.ceiling() - a.polarity().sign() * part[i] + view.light().pixels()[i]
-					- noise
-				: Double.POSITIVE_INFINITY;
-		return view.withCeiling(ceiling);
-	}
-
-	private float[] binned(final int frame, final int binning) {
-		final double[] values = Pixels.doubles(movie.frame(frame - 1));
-		final float[] pixels = new float[values.length];
-		for (int i = 0; i < pixels.length; i++)
-			pixels[i] = (float) values[i];
-		return Binning.mean(pixels, movie.width(), binning);
-	}
-
-	private FrameView view(final int frame, final FrameEvidence whole, final Box box) {
-		final FrameEvidence evidence = whole.part(box.x(), box.y(), box.width(), box.height());
-		return new FrameView(frame, light(frame, evidence, box), evidence);
-	}
-
-	/** The frame above its background, bright lines whatever the polarity. */
-	private NormalizedFrame light(final int frame, final FrameEvidence evidence, final Box box) {
-		final LineAppearance a = evidence.appearance();
-		final float[] part = box.of(binned(frame, a.binning()), movie.width() / a.binning());
-		final boolean[] lines = Dilation.square(Pixels.bits(evidence.mask()), evidence.width(),
-			(int) Math.ceil(HALO * a.workingSigma()));
-		final float[] background = Background.of(part, box.width(), lines);
-		final double[] light = new double[part.length];
-		for (int i = 0; i < light.length; i++)
-			light[i] = Float.isFinite(part[i])
-				? a.polarity().sign() * (part[i] - background[i])
-				: 0;
-		return new NormalizedFrame(box.width(), box.height(), light);
+	/** As many threads as find room in Java's memory, all or one. */
+	private Workers inMemory() {
+		final double pixels = (double) movie.width() * movie.height();
+		final long memory = Runtime.getRuntime().maxMemory();
+		if (pixels * (BYTES_ONCE + BYTES_A_THREAD * workers.threads()) <= memory)
+			return workers;
+		final double needed = pixels * (BYTES_ONCE + BYTES_A_THREAD);
+		if (needed > memory)
+			throw new UserException("There is not enough memory for frames of " + movie.width()
+				+ " x " + movie.height() + " pixels: they need " + (long) Math.ceil(needed / MEGABYTE)
+				+ " MB, and Java has " + memory / MEGABYTE
+				+ " MB; give Java more (JAVA_OPTS=-Xmx8g, in ImageJ Edit > Options > Memory & Threads), or name a region.",
+				new OutOfMemoryError());
+		return Workers.HERE;
 	}
 }

@@ -1,6 +1,7 @@
 package io.github.knotresolver.track;
 
 import java.util.Optional;
+import java.util.function.Supplier;
 
 import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
@@ -16,12 +17,12 @@ import io.github.knotresolver.image.FrameEvidence;
  *
  * @param frame 1-based number of the frame in the movie
  * @param light the pixels, background at 0
- * @param mask all objects
+ * @param masks makes the mask of all objects; kept small, made when it is looked at
  * @param graph the graph of their skeletons
  * @param evidence what is known of the lines beyond mask and graph, in the same pixels;
  *          empty if masks were made by thresholds
  */
-public record FrameView(int frame, NormalizedFrame light, Img<BitType> mask, SkeletonGraph graph,
+public record FrameView(int frame, NormalizedFrame light, Supplier<Img<BitType>> masks, SkeletonGraph graph,
 	Optional<FrameEvidence> evidence) {
 
 	/**
@@ -34,7 +35,7 @@ public record FrameView(int frame, NormalizedFrame light, Img<BitType> mask, Ske
 	 */
 	public FrameView(final int frame, final NormalizedFrame light, final Img<BitType> mask,
 		final SkeletonGraph graph) {
-		this(frame, light, mask, graph, Optional.empty());
+		this(frame, light, () -> mask, graph, Optional.empty());
 	}
 
 	/**
@@ -45,8 +46,13 @@ public record FrameView(int frame, NormalizedFrame light, Img<BitType> mask, Ske
 	 * @param evidence what can be seen of lines
 	 */
 	public FrameView(final int frame, final NormalizedFrame light, final FrameEvidence evidence) {
-		this(frame, light, evidence.mask(), SkeletonGraph.of(evidence.skeleton()),
+		this(frame, light, evidence::mask, SkeletonGraph.of(evidence.skeleton()),
 			Optional.of(evidence));
+	}
+
+	/** @return the mask of all objects; O(pixels), so ask once */
+	public Img<BitType> mask() {
+		return masks.get();
 	}
 
 	/**
@@ -68,7 +74,7 @@ public record FrameView(int frame, NormalizedFrame light, Img<BitType> mask, Ske
 	FrameView scaled(final double amplitude) {
 		return amplitude == 1
 			? this
-			: new FrameView(frame, light.rescaled(0, amplitude), mask, graph, evidence);
+			: new FrameView(frame, light.rescaled(0, amplitude), masks, graph, evidence);
 	}
 
 	/**
@@ -77,7 +83,8 @@ public record FrameView(int frame, NormalizedFrame light, Img<BitType> mask, Ske
 	 * @return the same frame with its light in other units
 	 */
 	FrameView rescaled(final double background, final double amplitude) {
-		return new FrameView(frame, light.rescaled(background, amplitude), mask, graph);
+		return new FrameView(frame, light.rescaled(background, amplitude), masks, graph,
+			Optional.empty());
 	}
 
 	/**
@@ -86,7 +93,7 @@ public record FrameView(int frame, NormalizedFrame light, Img<BitType> mask, Ske
 	 * @return the same frame of which it is known
 	 */
 	FrameView focused(final double widening, final double brightness) {
-		return new FrameView(frame, light.rescaled(0, brightness).withWidening(widening), mask,
+		return new FrameView(frame, light.rescaled(0, brightness).withWidening(widening), masks,
 			graph, evidence);
 	}
 
@@ -95,7 +102,7 @@ public record FrameView(int frame, NormalizedFrame light, Img<BitType> mask, Ske
 	 * @return the same frame of which it is known
 	 */
 	public FrameView withCeiling(final double[] ceiling) {
-		return new FrameView(frame, light.withCeiling(ceiling), mask, graph, evidence);
+		return new FrameView(frame, light.withCeiling(ceiling), masks, graph, evidence);
 	}
 
 	/**
@@ -103,6 +110,6 @@ public record FrameView(int frame, NormalizedFrame light, Img<BitType> mask, Ske
 	 * @return the same frame with blurred light
 	 */
 	FrameView blurred(final double sigma) {
-		return new FrameView(frame, light.blurred(sigma), mask, graph, evidence);
+		return new FrameView(frame, light.blurred(sigma), masks, graph, evidence);
 	}
 }

@@ -166,10 +166,11 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 	double lengthOfLight(final int t) {
 		final FrameView frame = frames.get(t);
 		final boolean[] near = near(t);
+		final double[] pixels = frame.light().pixels();
 		double sum = 0;
 		for (int i = 0; i < near.length; i++)
 			if (near[i])
-				sum += frame.light().pixels()[i];
+				sum += pixels[i];
 		return sum / (tables.model().sigma() * Math.sqrt(2 * Math.PI));
 	}
 

@@ -22,16 +22,16 @@ class NormalizedFrameTest {
 	@Test
 	void lightThatWasCutOffMayHaveBeenAnyBrighter() {
 		final NormalizedFrame frame = clipped();
-		assertEquals(0, frame.residual(2, 90));
-		assertEquals(15, frame.residual(2, 45));
-		assertEquals(-50, frame.residual(0, 90), "what is dark cannot have been brighter");
-		assertEquals(-10, frame.residual(1, 30));
+		assertEquals(0, frame.residual(2, 60, 90));
+		assertEquals(15, frame.residual(2, 60, 45));
+		assertEquals(-50, frame.residual(0, 0, 90), "what is dark cannot have been brighter");
+		assertEquals(-10, frame.residual(1, 20, 30));
 	}
 
 	@Test
 	void aLineThatSaturatesIsItselfCutOff() {
-		assertEquals(-30, clipped().residual(2, 90, SATURATING));
-		assertEquals(0, clipped().residual(2, 90, ADDITIVE));
+		assertEquals(-30, clipped().residual(2, 60, 90, SATURATING));
+		assertEquals(0, clipped().residual(2, 60, 90, ADDITIVE));
 	}
 
 	@Test

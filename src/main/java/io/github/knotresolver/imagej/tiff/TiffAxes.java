@@ -59,12 +59,16 @@ record TiffAxes(int channels, int slices, int frames, int[] plane) {
 	void arrange(final ImagePlus image) {
 		final ImageStack given = image.getStack();
 		if (!Arrays.equals(plane, IntStream.range(0, plane.length).toArray())) {
-			final ImageStack stack = new ImageStack(given.getWidth(), given.getHeight());
-			for (final int i : plane)
-				stack.addSlice(given.getSliceLabel(i + 1), given.getProcessor(i + 1));
-			image.setStack(stack);
+			image.setStack(given instanceof RawStack raw ? raw.ordered(plane) : ordered(given));
 		}
 		image.setDimensions(channels, slices, frames);
+	}
+
+	private ImageStack ordered(final ImageStack given) {
+		final ImageStack stack = new ImageStack(given.getWidth(), given.getHeight());
+		for (final int i : plane)
+			stack.addSlice(given.getSliceLabel(i + 1), given.getProcessor(i + 1));
+		return stack;
 	}
 
 	/** @return how many planes there are */

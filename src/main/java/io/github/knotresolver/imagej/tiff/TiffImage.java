@@ -11,6 +11,7 @@ import ij.ImageStack;
 import ij.io.FileInfo;
 import ij.io.Opener;
 import ij.io.TiffDecoder;
+import ij.plugin.FileInfoVirtualStack;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
@@ -23,6 +24,9 @@ public final class TiffImage {
 
 	/** Property of an image: a sentence on how it was read, for people. */
 	public static final String NOTE = "KnotResolver.note";
+
+	/** A movie that takes more than this share of the memory stays in its file. */
+	private static final double LARGE = 0.25;
 
 	private static final int MEGABYTE = 1 << 20, FLOAT_BYTES = 4;
 
@@ -65,9 +69,38 @@ public final class TiffImage {
 	}
 
 	private ImagePlus open(final Progress progress) throws IOException {
+		return open(progress, Runtime.getRuntime().maxMemory());
+	}
+
+	/** As {@link #open(Path, Progress)} with so much memory in bytes. */
+	static ImagePlus open(final Path path, final Progress progress, final long memory)
+		throws IOException {
+		return new TiffImage(path).open(progress, memory);
+	}
+
+	/** A movie that takes much of the memory stays in its file, if that is possible. */
+	private ImagePlus open(final Progress progress, final long memory) throws IOException {
 		requireImages();
-		requireMemory();
+		final boolean large = bytes() > LARGE * memory;
+		if (large && kind.frames().stream().map(kind::page).allMatch(RawStack::canRead))
+			return fromFile();
+		requireMemory(memory);
 		return kind.isForImageJ() ? byImageJ() : byLibrary(progress);
+	}
+
+	/** Opened, but its pixels are read frame by frame when they are looked at. */
+	private ImagePlus fromFile() throws IOException {
+		final int frames = Math.max(kind.frames().size(), description.promised());
+		final RawStack stack = new RawStack(path, kind.first(), kind.order(),
+			RawStack.offsets(kind.frames().stream().map(kind::page).toList(), frames));
+		if (!kind.isForImageJ())
+			return described(stack);
+		final ImagePlus image = FileInfoVirtualStack.openVirtual(path.toAbsolutePath().toString());
+		if (image == null || image.getStackSize() != frames)
+			throw TiffStructure.damaged(path, "ImageJ finds other images in it than its list has");
+		image.setStack(stack);
+		arranged(image);
+		return image;
 	}
 
 	/** ImageJ's own stacks have one directory for many frames in a row. */
@@ -84,11 +117,14 @@ public final class TiffImage {
 			throw TiffStructure.cutOff(path);
 	}
 
-	private void requireMemory() {
+	private double bytes() {
 		final TiffPage page = kind.first();
-		final int bytes = page.bits() <= 8 ? 1 : page.bits() <= 16 ? 2 : FLOAT_BYTES;
-		final double needed = pixels() * bytes;
-		if (needed > Runtime.getRuntime().maxMemory())
+		return pixels() * (page.bits() <= 8 ? 1 : page.bits() <= 16 ? 2 : FLOAT_BYTES);
+	}
+
+	private void requireMemory(final long memory) {
+		final double needed = bytes();
+		if (needed > memory)
 			throw noMemory("needs " + (long) Math.ceil(needed / MEGABYTE) + " MB");
 	}
 
@@ -115,15 +151,23 @@ public final class TiffImage {
 		final int found = image.getStackSize();
 		if (found < expected)
 			throw noMemory("has " + expected + " frames, of which " + found + " were read");
-		if (description.isForeign())
-			calibrate(image);
-		if (description.isForeign() || description.axes(found, 1).isEmpty())
-			arrange(image);
+		arranged(image);
 		return image;
 	}
 
+	/** What ImageJ does not know of axes and units. */
+	private void arranged(final ImagePlus image) {
+		if (description.isForeign())
+			calibrate(image);
+		if (description.isForeign() || description.axes(image.getStackSize(), 1).isEmpty())
+			arrange(image);
+	}
+
 	private ImagePlus byLibrary(final Progress progress) throws IOException {
-		final ImageStack stack = new TiffPixels(path, kind.first()).read(kind.frames(), progress);
+		return described(new TiffPixels(path, kind.first()).read(kind.frames(), progress));
+	}
+
+	private ImagePlus described(final ImageStack stack) {
 		final ImagePlus image = new ImagePlus(path.getFileName().toString(), stack);
 		final FileInfo info = new FileInfo();
 		info.directory = path.toAbsolutePath().getParent() + File.separator;

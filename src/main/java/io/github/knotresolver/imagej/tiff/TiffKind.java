@@ -1,5 +1,6 @@
 package io.github.knotresolver.imagej.tiff;
 
+import java.nio.ByteOrder;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -52,6 +53,19 @@ final class TiffKind {
 	/** @return the first image that is no thumbnail */
 	TiffPage first() {
 		return first;
+	}
+
+	/**
+	 * @param i index of an image of the file, from 0
+	 * @return its directory
+	 */
+	TiffPage page(final int i) {
+		return tiff.pages().get(i);
+	}
+
+	/** @return the order of the bytes in a number */
+	ByteOrder order() {
+		return tiff.order();
 	}
 
 	/** @return whether ImageJ reads all of it, and right */

@@ -93,6 +93,11 @@ public final class TiffStructure {
 		return List.copyOf(pages);
 	}
 
+	/** @return the order of the bytes in a number */
+	ByteOrder order() {
+		return order;
+	}
+
 	/** @return whether it is a BigTIFF */
 	boolean isBig() {
 		return big;
