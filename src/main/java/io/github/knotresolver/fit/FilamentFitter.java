@@ -76,10 +76,15 @@ public final class FilamentFitter {
 			addPriors(system, chain, predicted);
 			final double before = energy;
 			Chain best = null;
+			boolean linearized = false;
 			for (int attempt = 0; attempt < FitTuning.ATTEMPTS && best == null; attempt++) {
 				Cancellation.check();
 				final Chain trial = step(system, chain, damping, freeLength);
-				final double trialLight = trial == null ? Double.NaN : light(trial, null);
+				// Nearly always the first is taken: then its normal equations are there already.
+				linearized = attempt == 0 && trial != null;
+				final double trialLight = trial == null
+					? Double.NaN
+					: light(trial, linearized ? nodes : null);
 				final double trialEnergy = trial == null
 					? Double.NaN
 					: trialLight + priors(trial, predicted);
@@ -97,7 +102,8 @@ public final class FilamentFitter {
 			iteration++;
 			if (before - energy < settings.tolerance() * Math.abs(before))
 				break;
-			light(chain, nodes);
+			if (!linearized)
+				light(chain, nodes);
 		}
 		return new Fit(chain, light, light + stiffnessAndClamp(chain), iteration);
 	}

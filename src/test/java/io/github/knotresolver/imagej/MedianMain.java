@@ -1,0 +1,25 @@
+package io.github.knotresolver.imagej;
+
+import ij.IJ;
+import ij.ImagePlus;
+import ij.plugin.filter.RankFilters;
+import ij.process.ImageProcessor;
+
+/** What any analysis does at least: ImageJ reads a movie and takes a 3 x 3 median of each frame. */
+public final class MedianMain {
+
+	private MedianMain() {
+	}
+
+	/** @param args a movie; its size is printed */
+	public static void main(final String[] args) {
+		final ImagePlus image = IJ.openImage(args[0]);
+		final RankFilters filters = new RankFilters();
+		for (int n = 1; n <= image.getStackSize(); n++) {
+			final ImageProcessor frame = image.getStack().getProcessor(n);
+			filters.rank(frame, 1, RankFilters.MEDIAN);
+		}
+		System.out.println(
+			image.getStackSize() + "×" + image.getWidth() + "×" + image.getHeight());
+	}
+}
