@@ -61,7 +61,7 @@ public final class MeasureWindow {
 	}
 
 	/**
-	 * Opens the window. Called by the thread of events.
+	 * Opens the window, in place of an earlier one of the same name. Called by the thread of events.
 	 *
 	 * @param name what was measured
 	 * @param filaments at least one
@@ -106,8 +106,13 @@ public final class MeasureWindow {
 			Math.min(screen.height, window.getHeight()));
 		window.setMinimumSize(
 			new Dimension(2 * window.getWidth() / 3, 3 * window.getHeight() / 4));
+		if (WindowManager.getFrame(window.getTitle()) instanceof JFrame earlier) {
+			window.setLocation(earlier.getLocation());
+			WindowManager.removeWindow(earlier);
+			earlier.dispose();
+		} else
+			window.setLocationByPlatform(true);
 		WindowManager.addWindow(window);
-		window.setLocationByPlatform(true);
 		window.setVisible(true);
 	}
 

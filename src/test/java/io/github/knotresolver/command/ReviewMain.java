@@ -39,7 +39,8 @@ import io.github.knotresolver.io.ContourInput;
  */
 final class ReviewMain {
 
-	static final List<String> STEPS = List.of("opened", "click", "doubtful", "withdrawn", "chosen",
+	static final List<String> STEPS = List.of("opened", "click", "doubtful", "withdrawn",
+		"mended in three clicks", "chosen",
 		"undone", "dragged", "tip", "saved", "recorded", "closed", "image closed");
 
 	/** The frame that the correction spoils. */
@@ -106,24 +107,34 @@ final class ReviewMain {
 			.anyMatch(f -> f.isShowing() && f.getTitle().equals(title)));
 		window = (JFrame) Arrays.stream(Frame.getFrames())
 			.filter(f -> f.isShowing() && f.getTitle().equals(title)).findFirst().orElseThrow();
-		Windows.await("result",
-			() -> label("headline").contains("resolved") && label("status").isBlank());
+		try {
+			Windows.await("result",
+				() -> label("headline").contains("resolved") && label("status").isBlank());
+		} catch (final AssertionError e) {
+			throw new AssertionError(label("headline") + "; " + label("status"), e);
+		}
 		image = WindowManager.getCurrentImage();
 		Windows.await("contour", () -> image.getOverlay() != null && image.getOverlay().size() > 0);
 	}
 
-	/** The doubtful frame comes with one key, and is right after one more. */
+	/** The doubtful frame comes with one click, is right after one more, and kept after a third. */
 	private void mend() throws Exception {
-		key(KeyEvent.VK_N);
+		press("Next doubtful");
 		Windows.await("doubtful", () -> text().startsWith("frame " + SPOILED + " "));
 		require(text().contains("unresolved") && text().contains("draw the whole contour"), text());
 		require(image.getOverlay() == null || image.getOverlay().size() == 0,
 			"A contour is shown.");
 		reached("doubtful");
-		key(KeyEvent.VK_W);
+		press("Withdraw");
 		Windows.await("resolved", () -> text().contains("  resolved"));
 		rest();
 		reached("withdrawn");
+		press("Save");
+		Windows.await("saved", () -> label("status").startsWith("Saved in"));
+		Files.copy(result.resolve("contours.csv"), home.resolve("mended.csv"));
+		reached("mended in three clicks");
+		key(KeyEvent.VK_N);
+		key(KeyEvent.VK_SPACE);
 		window.setBounds(0, 1000 - window.getHeight() * 5 / 4, window.getWidth() * 3 / 2,
 			window.getHeight() * 5 / 4);
 		rest();
@@ -172,9 +183,8 @@ final class ReviewMain {
 		require(said.contains(",through,0,") && said.contains(",tip,0,"), said);
 		reached("saved");
 		final String start = "run(\"Resolve Filament...\", \"movie=";
-		Windows.await("line", () -> Recorder.getInstance().getText().contains(start));
 		final String line = Recorder.getInstance().getText().lines()
-			.filter(l -> l.startsWith(start)).findFirst().orElseThrow();
+			.filter(l -> l.startsWith(start)).reduce((first, last) -> last).orElseThrow();
 		Files.writeString(home.resolve("recorded.ijm"), line);
 		reached("recorded");
 	}

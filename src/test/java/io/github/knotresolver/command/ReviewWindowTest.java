@@ -1,5 +1,6 @@
 package io.github.knotresolver.command;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -39,6 +40,7 @@ class ReviewWindowTest {
 		}
 		for (final String step : ReviewMain.STEPS)
 			assertTrue(printed.contains("reached: " + step), step + ":\n" + printed);
+		assertArrayEquals(before, Files.readAllBytes(home.resolve("mended.csv")));
 		assertTrue(Files.exists(result.resolve("notes.txt")));
 		final byte[] saved = Files.readAllBytes(result.resolve("contours.csv"));
 		assertEquals(lines(before), lines(saved));

@@ -69,7 +69,6 @@ final class ScreenshotsMain {
 			"Evaluate Against Ground Truth..."))
 			dialog(command, command.split("[ .]")[0].toLowerCase(Locale.ROOT) + "-dialog.png",
 				"Cancel");
-		measure();
 	}
 
 	private void menu(final ImageJ imagej) throws Exception {
@@ -147,34 +146,9 @@ final class ScreenshotsMain {
 			throw new IllegalStateException("The recorded line does not do the same: " + line);
 	}
 
-	private void measure() throws Exception {
-		Windows.start("Measure Contours...");
-		Windows.press(Windows.dialog("Measure Contours..."), "  OK  ");
-		Windows.await("plots", () -> WindowManager.getImageCount() >= 7);
-		Thread.sleep(1500);
-		final String title = "knotted-filament.tif-";
-		for (final String done : new String[]{title + "contours", title + "frames", "Log",
-			"Recorder", "ROI Manager"})
-			WindowManager.getWindow(done).setVisible(false);
-		move(title + "tangent-angle", 20, 130);
-		move(title + "curvature", 20, 310);
-		place(title + "measurements", 20, 490, 860, 180);
-		move(title + "tip_angle-spectrum", 20, 680);
-		move(title + "end_to_end", 890, 20);
-		move(title + "length", 890, 345);
-		move(title + "tip_angle", 890, 680);
-		move(title + "projection", 1610, 20);
-		Thread.sleep(1000);
-		capture("measurements.png", new Rectangle(0, 0, 2150, 1180));
-	}
-
 	private static void place(final String title, final int x, final int y, final int width,
 		final int height) {
 		WindowManager.getWindow(title).setBounds(x, y, width, height);
-	}
-
-	private static void move(final String title, final int x, final int y) {
-		WindowManager.getWindow(title).setLocation(x, y);
 	}
 
 	private void dialog(final String command, final String picture, final String button)

@@ -28,7 +28,7 @@ import ij.gui.MultiLineLabel;
 /** ImageJ's windows as a person works with them: finds, reads and presses. */
 final class Windows {
 
-	private static final long PATIENCE_MILLIS = 60_000;
+	private static final long PATIENCE_MILLIS = 180_000;
 
 	private Windows() {
 	}

@@ -1,0 +1,289 @@
+package io.github.knotresolver.command;
+
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Frame;
+import java.awt.Graphics2D;
+import java.awt.MouseInfo;
+import java.awt.Point;
+import java.awt.Polygon;
+import java.awt.Rectangle;
+import java.awt.RenderingHints;
+import java.awt.Robot;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.WindowEvent;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Optional;
+
+import javax.imageio.ImageIO;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JTabbedPane;
+import javax.swing.SwingUtilities;
+
+import ij.IJ;
+import ij.ImageJ;
+import ij.ImagePlus;
+import ij.gui.ImageCanvas;
+import ij.gui.Toolbar;
+import ij.io.FileSaver;
+import ij.process.ImageProcessor;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.imagej.SampleMovie;
+import io.github.knotresolver.io.ContourInput;
+
+/**
+ * Walks through review, measurements and batch as a user would, with mouse and keys, and takes the
+ * pictures and the film of {@code docs/fiji.md}. Arguments: the folder of the pictures, and one for
+ * movies and results. Started by {@code scripts/make-tour}, which gives it a display.
+ */
+final class TourMain {
+
+	/** The sample with so much noise (grey values) has frames that are in doubt. */
+	private static final double NOISE = 34;
+	private static final int SEED = 5;
+	private static final double FILM_SCALE = 0.5;
+
+	private final File folder;
+	private final Path home;
+	private final Robot robot;
+	private final FilmGif film;
+	private Frame window;
+	private ImagePlus image;
+
+	private TourMain(final File folder, final Path home) throws Exception {
+		this.folder = folder;
+		this.home = home;
+		robot = new Robot();
+		robot.setAutoDelay(40);
+		film = new FilmGif(new File(folder, "review.gif").toPath());
+	}
+
+	public static void main(final String[] args) throws Exception {
+		final ImageJ imagej = new ImageJ();
+		imagej.setLocation(900, 10);
+		try {
+			new TourMain(new File(args[0]), Path.of(args[1])).walk();
+			System.out.println("All as expected.");
+			System.exit(0);
+		} catch (final Throwable e) {
+			e.printStackTrace();
+			System.exit(1);
+		}
+	}
+
+	private void walk() throws Exception {
+		final ImagePlus sample = SampleMovie.open();
+		new FileSaver(sample).saveAsTiff(home.resolve("clear.tif").toString());
+		ImageProcessor.setRandomSeed(SEED);
+		for (int t = 1; t <= sample.getStackSize(); t++)
+			sample.getStack().getProcessor(t).noise(NOISE);
+		new FileSaver(sample).saveAsTiff(home.resolve("noisy.tif").toString());
+		review();
+		measure();
+		batch();
+	}
+
+	private void review() throws Exception {
+		final Path result = home.resolve("noisy-result");
+		IJ.run("Resolve Filament...", "movie=[" + home.resolve("noisy.tif") + "] out=[" + result
+			+ "] roi_manager=false tables=false plots=false");
+		image = IJ.getImage();
+		image.getWindow().setLocation(10, 10);
+		Windows.start("Review Result...");
+		Windows.press(Windows.dialog("Review Result...", "Result"), "OK");
+		window = frame("Review noisy-result");
+		window.setLocation(10, image.getWindow().getHeight() + 20);
+		Windows.await("ready", () -> find("headline") instanceof JLabel l
+			&& l.getText().contains("resolved"));
+		IJ.setTool(Toolbar.HAND);
+		shot(8);
+		press("Next doubtful");
+		shot(10);
+		capture("review.png", both());
+		while (named(window, "alternative 2").isEmpty())
+			key(KeyEvent.VK_N);
+		move(find("alternative 2"), 0.5, 0.5);
+		robot.delay(300);
+		shot(12);
+		key(KeyEvent.VK_SPACE);
+		shot(8);
+		drag(result);
+		key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+		rest();
+		shot(8);
+		film.close();
+		key(KeyEvent.VK_S);
+		Windows.await("saved", () -> ((JLabel) find("status")).getText().startsWith("Saved in"));
+		final Frame review = window;
+		SwingUtilities.invokeLater(
+			() -> review.dispatchEvent(new WindowEvent(review, WindowEvent.WINDOW_CLOSING)));
+		Windows.await("end of the review", () -> !review.isShowing());
+	}
+
+	/** The middle of the contour is drawn a little aside, and let go. */
+	private void drag(final Path result) throws Exception {
+		final Polyline contour = ContourInput.read(result).contours()
+			.get(image.getCurrentSlice() - 1).orElseThrow();
+		final ImageCanvas canvas = image.getCanvas();
+		final Point corner = canvas.getLocationOnScreen();
+		final var held = contour.at(0.7 * contour.length());
+		final int x = corner.x + canvas.screenXD(held.x() + 0.5),
+			y = corner.y + canvas.screenYD(held.y() + 0.5);
+		robot.mouseMove(x, y);
+		robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+		for (int i = 1; i <= 4; i++) {
+			robot.mouseMove(x + 3 * i, y - 7 * i);
+			shot(3);
+		}
+		robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+		robot.delay(100);
+		shot(4);
+		rest();
+		shot(10);
+	}
+
+	private void rest() throws Exception {
+		Windows.await("rest", () -> !((JLabel) find("status")).getText().endsWith("..."));
+		robot.waitForIdle();
+	}
+
+	private void measure() throws Exception {
+		image.changes = false;
+		image.close();
+		IJ.run("Resolve Filament...", "movie=[" + home.resolve("clear.tif") + "] tables=false");
+		image = IJ.getImage();
+		image.getWindow().setLocation(10, 10);
+		Windows.start("Measure Contours...");
+		Windows.press(Windows.dialog("Measure Contours..."), "OK");
+		window = frame("Measurements of clear.tif");
+		window.setLocation(image.getWindow().getWidth() + 20, 60);
+		window.toFront();
+		final JTabbedPane tabs = (JTabbedPane) find("tabs 1");
+		SwingUtilities.invokeAndWait(() -> tabs.setSelectedIndex(tabs.indexOfTab("Kymographs")));
+		robot.delay(500);
+		move(find("figure tangent_angle_kymograph"), 0.5, 0.4);
+		click();
+		robot.delay(500);
+		capture("measurements.png", both());
+		window.dispose();
+		image.changes = false;
+		image.close();
+	}
+
+	private void batch() throws Exception {
+		Files.writeString(home.resolve("sheet.csv"),
+			"FileName,FolderPath,requiresManual\nclear.tif,.,False\nnoisy.tif,.,True\nabsent.tif,.,False\n");
+		final Path out = home.resolve("batch");
+		Windows.start("Batch...");
+		final var dialog = Windows.dialog("Batch...", "Input");
+		Windows.type(dialog, "Input", home.resolve("sheet.csv").toString());
+		Windows.type(dialog, "Out", out.toString());
+		Windows.press(dialog, "OK");
+		window = frame("Batch batch");
+		robot.delay(500);
+		capture("batch.png", window.getBounds());
+	}
+
+	private Rectangle both() {
+		return image.getWindow().getBounds().union(window.getBounds());
+	}
+
+	/** Pictures of the film, each so many tenths of a second long. */
+	private void shot(final int tenths) throws Exception {
+		robot.waitForIdle();
+		final Rectangle part = both();
+		film.add(scaled(withMouse(robot.createScreenCapture(part), part)), tenths);
+	}
+
+	/** A capture of the screen has no mouse. */
+	private static BufferedImage withMouse(final BufferedImage picture, final Rectangle part) {
+		final Point at = MouseInfo.getPointerInfo().getLocation();
+		final int x = at.x - part.x, y = at.y - part.y;
+		final Graphics2D g = picture.createGraphics();
+		g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+		final Polygon arrow = new Polygon(new int[]{x, x, x + 6, x + 17},
+			new int[]{y, y + 24, y + 18, y + 17}, 4);
+		g.setColor(Color.WHITE);
+		g.fill(arrow);
+		g.setColor(Color.BLACK);
+		g.draw(arrow);
+		g.dispose();
+		return picture;
+	}
+
+	private static BufferedImage scaled(final BufferedImage picture) {
+		final int width = (int) (FILM_SCALE * picture.getWidth()),
+			height = (int) (FILM_SCALE * picture.getHeight());
+		final BufferedImage small = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+		final Graphics2D g = small.createGraphics();
+		g.setRenderingHint(RenderingHints.KEY_INTERPOLATION,
+			RenderingHints.VALUE_INTERPOLATION_BICUBIC);
+		g.drawImage(picture, 0, 0, width, height, null);
+		g.dispose();
+		return small;
+	}
+
+	private void press(final String words) throws Exception {
+		move(find(words), 0.5, 0.5);
+		shot(3);
+		click();
+	}
+
+	private void move(final Component component, final double across, final double down) {
+		final Point at = component.getLocationOnScreen();
+		robot.mouseMove(at.x + (int) (across * component.getWidth()),
+			at.y + (int) (down * component.getHeight()));
+		robot.waitForIdle();
+	}
+
+	private void click() {
+		robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+		robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+		robot.waitForIdle();
+	}
+
+	private void key(final int... keys) {
+		for (int i = keys.length - 1; i >= 0; i--)
+			robot.keyPress(keys[i]);
+		for (final int key : keys)
+			robot.keyRelease(key);
+		robot.waitForIdle();
+	}
+
+	private void capture(final String name, final Rectangle part) throws Exception {
+		robot.waitForIdle();
+		robot.delay(300);
+		ImageIO.write(robot.createScreenCapture(part), "png", new File(folder, name));
+	}
+
+	private static Frame frame(final String title) throws Exception {
+		Windows.await(title, () -> shown(title).isPresent());
+		return shown(title).orElseThrow();
+	}
+
+	private static Optional<Frame> shown(final String title) {
+		return Arrays.stream(Frame.getFrames())
+			.filter(f -> f.isShowing() && f.getTitle().equals(title)).findFirst();
+	}
+
+	private Component find(final String name) {
+		return named(window, name).orElseThrow(() -> new AssertionError("no " + name));
+	}
+
+	private static Optional<Component> named(final Container container, final String name) {
+		for (final Component c : container.getComponents()) {
+			if (name.equals(c.getName()) && c instanceof JComponent)
+				return Optional.of(c);
+			if (c instanceof Container inner && named(inner, name).isPresent())
+				return named(inner, name);
+		}
+		return Optional.empty();
+	}
+}
