@@ -113,6 +113,7 @@ final class SolvedMovie {
 		told.constraints().forEach(c -> requireFilament(c, filaments.size()));
 		final List<FilamentTrack> exchanged = Exchanges.in(
 			filaments.stream().map(prepared.pixels()::out).toList(), told.constraints());
+		notes.addAll(Verdict.on(exchanged));
 		return new Tracks(movie, told,
 			exchanged.stream().map(f -> given(f, told.constraints())).toList(), notes);
 	}

@@ -1,0 +1,63 @@
+package io.github.knotresolver.session;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+import io.github.knotresolver.contour.EqualArcDistance;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.FilamentTrack;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Observation;
+
+/**
+ * What is to be said of a result as a whole: that most of it is doubtful, so that the movie
+ * may not be of the kind that can be resolved, or that nothing moves in it.
+ */
+final class Verdict {
+
+	/** A contour is more likely right than wrong. */
+	private static final double LIKELY = 0.5;
+
+	/** A result of which less than this share is likely right is doubtful. */
+	private static final double SHARE = 1 / 3.0;
+
+	/** What moves by less (mean distance in pixels) stands still. */
+	private static final double STILL = 0.5;
+
+	/** So few frames say nothing about movement. */
+	private static final int FEWEST = 5;
+
+	private Verdict() {
+	}
+
+	/**
+	 * @param filaments as they were found
+	 * @return one sentence each; none about a result of which there is nothing to say
+	 */
+	static List<String> on(final List<FilamentTrack> filaments) {
+		final List<String> verdict = new ArrayList<>();
+		final List<Observation> all = filaments.stream().flatMap(f -> f.frames().stream())
+			.filter(o -> o.status() == FrameStatus.RESOLVED
+				|| o.status() == FrameStatus.UNRESOLVED)
+			.toList();
+		final long likely = all.stream().filter(o -> o.confidence() > LIKELY).count();
+		if (all.size() >= FEWEST && likely < SHARE * all.size())
+			verdict.add(String.format(Locale.ROOT,
+				"Doubtful as a whole: only %d of %d contours are more likely right than wrong; the movie may show something other than filaments, or more than can be followed. Look at the overlay before using any of it.",
+				likely, all.size()));
+		if (!filaments.isEmpty() && filaments.stream().allMatch(Verdict::standsStill))
+			verdict.add(String.format(Locale.ROOT,
+				"Nothing moves: %s the same in all frames to %.1f px, so the movie does not tell which end is fixed or which way to go at a crossing.",
+				filaments.size() == 1 ? "the contour is" : "all contours are", STILL));
+		return verdict;
+	}
+
+	private static boolean standsStill(final FilamentTrack track) {
+		final List<Polyline> contours = track.frames().stream().map(Observation::contour)
+			.flatMap(Optional::stream).filter(c -> c.size() > 1).toList();
+		return contours.size() >= FEWEST && contours.stream().allMatch(
+			c -> EqualArcDistance.mean(c, contours.get(contours.size() / 2)) < STILL);
+	}
+}
