@@ -38,19 +38,21 @@ public final class FilamentEstimator {
 	 * @param sightings at least one; those that are clearest first
 	 * @param kinds how strands may add up; the kind that explains the sightings best is
 	 *          taken
+	 * @param endsFree weights of a fit with both ends and the length free
 	 * @param workers threads
 	 * @param progress asked whether to stop
 	 * @return what they say together; empty if what they show is no line that is brighter
 	 *         than its surroundings
 	 */
 	public static Optional<FilamentEstimate> estimate(final List<Sighting> sightings,
-		final Collection<LineModel.Kind> kinds, final Workers workers, final Progress progress) {
+		final Collection<LineModel.Kind> kinds, final FitSettings endsFree, final Workers workers,
+		final Progress progress) {
 		final List<Example> seen = new ArrayList<>();
 		for (final Sighting s : sightings)
 			seen.add(new Example(s.frame,
 				Chain.along(s.contour, links(s.contour.length()), s.contour.length())));
 		final List<Learned> learned = kinds.stream()
-			.map(kind -> learn(seen, kind, workers, progress)).toList();
+			.map(kind -> learn(seen, kind, endsFree, workers, progress)).toList();
 		return learned.stream().filter(Learned::isLine)
 			.filter(l -> kinds.size() == 1 || l.isPlausible())
 			.min(Comparator.comparingDouble(l -> l.line.unexplained())).map(Learned::summary);
@@ -81,11 +83,11 @@ public final class FilamentEstimator {
 	}
 
 	private static Learned learn(final List<Example> seen, final LineModel.Kind kind,
-		final Workers workers, final Progress progress) {
+		final FitSettings endsFree, final Workers workers, final Progress progress) {
 		List<Example> examples = seen;
 		Estimate line = line(examples, kind, FitTuning.FIRST_WIDTH, progress);
 		for (int round = 0; round < FitTuning.LINE_ROUNDS && line.isVisible(); round++) {
-			examples = refit(examples, line, round == 0, workers, progress);
+			examples = refit(examples, line, endsFree, round == 0, workers, progress);
 			line = line(examples, kind, line.model().sigma(), progress);
 		}
 		for (int round = 0; round < FitTuning.MOST_PROFILE_ROUNDS && line.isVisible(); round++) {
@@ -94,7 +96,7 @@ public final class FilamentEstimator {
 				break;
 			line = line.withModel(line.model().withBrightness(brightness));
 			final double before = usualLength(examples);
-			examples = refit(examples, line, false, workers, progress);
+			examples = refit(examples, line, endsFree, false, workers, progress);
 			if (round + 1 >= FitTuning.FEWEST_PROFILE_ROUNDS
 				&& Math.abs(usualLength(examples) / before - 1) < FitTuning.PROFILE_SETTLED)
 				break;
@@ -114,15 +116,15 @@ public final class FilamentEstimator {
 
 	/** Fits the examples again; those that come from skeletons first as stiff filaments. */
 	private static List<Example> refit(final List<Example> examples, final Estimate line,
-		final boolean fromSkeletons, final Workers workers, final Progress progress) {
+		final FitSettings endsFree, final boolean fromSkeletons, final Workers workers, final Progress progress) {
 		return workers.map(examples.size(), i -> {
 			progress.checkCancelled();
 			final Example e = examples.get(i);
 			final NormalizedFrame frame = e.frame().rescaled(line.background(), line.amplitude());
 			return new Example(e.frame(),
 				fromSkeletons
-					? fromSkeleton(frame, line.model(), e.chain())
-					: endsFree(frame, line.model(), e.chain(), FitSettings.ENDS_FREE));
+					? fromSkeleton(frame, line.model(), e.chain(), endsFree)
+					: endsFree(frame, line.model(), e.chain(), endsFree));
 		});
 	}
 
@@ -133,14 +135,14 @@ public final class FilamentEstimator {
 	 * @param frame the frame, a strand's brightness 1
 	 * @param model what a line looks like
 	 * @param start the skeleton's curve
+	 * @param endsFree weights of a fit with both ends and the length free
 	 * @return the chain as fitted
 	 */
 	public static Chain fromSkeleton(final NormalizedFrame frame, final LineModel model,
-		final Chain start) {
+		final Chain start, final FitSettings endsFree) {
 		return endsFree(frame, model,
-			endsFree(frame, model, start,
-				FitSettings.ENDS_FREE.roughAndStiff(FitSettings.START_STIFFNESS)),
-			FitSettings.ENDS_FREE);
+			endsFree(frame, model, start, endsFree.roughAndStiff(FitSettings.START_STIFFNESS)),
+			endsFree);
 	}
 
 	private static Chain endsFree(final NormalizedFrame frame, final LineModel model,

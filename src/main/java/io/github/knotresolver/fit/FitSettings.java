@@ -27,6 +27,20 @@ public record FitSettings(double stiffness, double clampWeight, double memory, i
 	public static final double START_STIFFNESS = 20;
 
 	/**
+	 * Price of bending where noise drowns single pixels: a fit that bends easily follows the
+	 * noise, and its wiggles make it too long.
+	 */
+	public static final double NOISY_STIFFNESS = 5;
+
+	/**
+	 * @param price of bending
+	 * @return the same otherwise
+	 */
+	public FitSettings withStiffness(final double price) {
+		return new FitSettings(price, clampWeight, memory, iterations, tolerance, freeLength);
+	}
+
+	/**
 	 * @param price of leaving the fixed end, per square pixel
 	 * @return the same otherwise
 	 */

@@ -22,10 +22,14 @@ final class Calming {
 	 */
 	static List<FrameView> of(final List<FrameView> frames, final double strand,
 		final Workers workers) {
-		final double[] noise = workers.map(frames.size(), t -> frames.get(t).light().noise())
-			.stream().mapToDouble(Double::doubleValue).toArray();
-		return new Median().evaluate(noise) < TrackTuning.NOISY * strand
+		return noise(frames, workers) < TrackTuning.NOISY * strand
 			? frames
 			: workers.map(frames.size(), t -> frames.get(t).blurred(TrackTuning.CALMING));
+	}
+
+	/** The median noise of a pixel, in the frames' units. */
+	static double noise(final List<FrameView> frames, final Workers workers) {
+		return new Median().evaluate(workers.map(frames.size(), t -> frames.get(t).light().noise())
+			.stream().mapToDouble(Double::doubleValue).toArray());
 	}
 }

@@ -13,8 +13,11 @@ import io.github.knotresolver.fit.FilamentEstimate;
  * @param estimate what holds for all frames
  * @param anchor where the fixed end is
  * @param length how long the filament is
+ * @param noise of a pixel as it was recorded, in strands' brightnesses
+ * @param stiffness price of bending
  */
-record FilamentCourse(FilamentEstimate estimate, AnchorPath anchor, LengthCourse length) {
+record FilamentCourse(FilamentEstimate estimate, AnchorPath anchor, LengthCourse length,
+	double noise, double stiffness) {
 
 	/** What is known of a frame near a break, with the other length that is possible there. */
 	FilamentEstimate otherIn(final int index) {
@@ -22,11 +25,15 @@ record FilamentCourse(FilamentEstimate estimate, AnchorPath anchor, LengthCourse
 	}
 
 	FilamentCourse withLength(final LengthCourse other) {
-		return new FilamentCourse(estimate, anchor, other);
+		return new FilamentCourse(estimate, anchor, other, noise, stiffness);
+	}
+
+	FilamentCourse withNoise(final double other) {
+		return new FilamentCourse(estimate, anchor, length, other, stiffness);
 	}
 
 	FilamentCourse withAnchor(final AnchorPath other) {
-		return new FilamentCourse(estimate, other, length);
+		return new FilamentCourse(estimate, other, length, noise, stiffness);
 	}
 
 	/** What is known of a frame. */

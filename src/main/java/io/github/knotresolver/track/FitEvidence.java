@@ -20,16 +20,25 @@ import java.util.Locale;
  * @param uncovered skeleton of the objects that it touches but does not run along, as a share
  *          of its length
  * @param jump logarithm of how much farther than usual it moved from or to a neighbour in time
+ * @param faint how strong the noise of a pixel is beside a strand, beyond what is harmless
  */
 public record FitEvidence(double rival, double misfit, double pattern, double dark,
 	double unexplained, double invented, double beyond, double missing, double uncovered,
-	double jump) {
+	double jump, double faint) {
 
 	/** Each figure is cut off here: more of it makes nothing worse. */
-	private static final double[] MOST = {1, 2, 1, 0.5, 0.25, 0.5, 1, 1, 1, 3};
+	private static final double[] MOST = {1, 2, 1, 0.5, 0.25, 0.5, 1, 1, 1, 3, 1};
 
 	/** Names of the figures, in order. */
-	public static final String NAMES = "rival,misfit,pattern,dark,unexplained,invented,beyond,missing,uncovered,jump";
+	public static final String NAMES = "rival,misfit,pattern,dark,unexplained,invented,beyond,missing,uncovered,jump,faint";
+
+	/** Noise (strands' brightnesses) up to this is harmless; so much more is as bad as it gets. */
+	private static final double HARMLESS = 0.4, DROWNING = 0.2;
+
+	/** A pixel's noise in strands' brightnesses as a figure. */
+	static double faint(final double noise) {
+		return Math.max(0, (noise - HARMLESS) / DROWNING);
+	}
 
 	private static final String[] WORDS = {"a different contour explains the movie nearly as well",
 		"the contour explains this frame worse than others are explained",
@@ -39,12 +48,13 @@ public record FitEvidence(double rival, double misfit, double pattern, double da
 		"the contour crosses or runs along places that are darker than expected",
 		"light goes on beyond an end of the contour", "the contour's tip is in the dark",
 		"the contour leaves out parts of the object that it touches",
-		"the contour moved much farther than usual since the frame before or to the next"};
+		"the contour moved much farther than usual since the frame before or to the next",
+		"noise is so strong that a wrong contour may look right"};
 
 	/** @return the figures in the order of their names, none negative, none above what matters */
 	public double[] figures() {
 		final double[] figures = {rival, misfit, pattern, dark, unexplained, invented, beyond,
-			missing, uncovered, jump};
+			missing, uncovered, jump, faint};
 		for (int i = 0; i < figures.length; i++)
 			figures[i] = Double.isNaN(figures[i])
 				? MOST[i]

@@ -121,9 +121,9 @@ public final class FitResolver {
 		final int links = FilamentEstimator.links(seen.course.estimate().length());
 		final List<Fit> fits = workers.map("Fitting the contours", progress, seen.frames.size(),
 			t -> new FitProposals(seen.frames.get(t), seen.course.in(t), links,
-				settings().freeLength())
+				settings(seen.course).freeLength())
 				.of(contours.get(seen.frames.get(t).frame()),
-					fitter(t, light, seen.course, settings()))
+					fitter(t, light, seen.course, settings(seen.course)))
 				.get(0));
 		final Map<Integer, Polyline> fitted = new TreeMap<>();
 		for (int t = 0; t < fits.size(); t++)
@@ -148,23 +148,29 @@ public final class FitResolver {
 		final List<FrameView> steady = focused == frames
 			? withoutBleaching(calmed, strands)
 			: calmed;
+		final FitSettings endsFree = calmed == focused
+			? FitSettings.ENDS_FREE
+			: FitSettings.ENDS_FREE.withStiffness(FitSettings.NOISY_STIFFNESS);
 		final List<Sighting> sightings = Sightings.choose(steady, first);
 		return sightings.isEmpty()
 			? Optional.empty()
-			: estimate(sightings, fixedEnd, length)
-				.map(e -> new Seen(steady, course(steady, first, e, ends, length)));
+			: estimate(sightings, fixedEnd, length, endsFree).map(e -> new Seen(steady,
+				course(steady, first, e, ends, length, endsFree)
+					.withNoise(Calming.noise(focused, workers) / e.amplitude())));
 	}
 
 	/** Looks at the open frames to see whether the fixed end moves and the length changes. */
 	private FilamentCourse course(final List<FrameView> frames, final List<CandidateSet> sets,
-		final FilamentEstimate estimate, final AnchorPath ends, final OptionalDouble told) {
+		final FilamentEstimate estimate, final AnchorPath ends, final OptionalDouble told,
+		final FitSettings endsFree) {
 		final OpenFrames open = OpenFrames.find(frames, light(frames, estimate), sets, estimate,
-			workers, progress);
+			endsFree, workers, progress);
 		final AnchorPath anchor = ends.settled(open, estimate.fixedEnd());
 		final Lengths length = Lengths.of(open, frames.size(),
 			told.isEmpty() && lengths == LengthModel.AUTO);
 		final FilamentEstimate settled = told.isPresent() ? estimate : length.settle(estimate);
-		return new FilamentCourse(settled, anchor, length.course(settled.length(), frames.size()));
+		return new FilamentCourse(settled, anchor, length.course(settled.length(), frames.size()),
+			0, endsFree.stiffness());
 	}
 
 	private static List<NormalizedFrame> light(final List<FrameView> frames,
@@ -193,13 +199,13 @@ public final class FitResolver {
 	}
 
 	private Optional<FilamentEstimate> estimate(final List<Sighting> sightings,
-		final Point fixedEnd, final OptionalDouble length) {
+		final Point fixedEnd, final OptionalDouble length, final FitSettings endsFree) {
 		progress.report("Learning what the filament looks like", 0);
 		// Of what was cut off it is known where: lines that add up can be told, too.
 		final Set<LineModel.Kind> possible = sightings.stream().anyMatch(s -> s.frame().isClipped())
 			? EnumSet.allOf(LineModel.Kind.class)
 			: kinds;
-		return FilamentEstimator.estimate(sightings, possible, workers, progress)
+		return FilamentEstimator.estimate(sightings, possible, endsFree, workers, progress)
 			.map(e -> length.isPresent() ? e.withLength(length.getAsDouble()) : e)
 			.map(e -> e.fixedEnd().distanceTo(fixedEnd) > GraphTuning.NEAR_CLAMP
 				? e.withFixedEnd(fixedEnd)
@@ -214,7 +220,7 @@ public final class FitResolver {
 		final List<List<Fit>> proposals = proposals(frames, light, course, sets);
 		final FilamentCourse settled = course.withAnchor(course.anchor().refined(proposals));
 		return new FitPools(frames, light, settled, sets,
-			pools(light, settled, repriced(proposals, light, settled)), settings());
+			pools(light, settled, repriced(proposals, light, settled)), settings(course));
 	}
 
 	/** The same fits, at the price of another anchor. */
@@ -223,13 +229,14 @@ public final class FitResolver {
 		if (course.anchor().range() == 0)
 			return fits;
 		return workers.map(fits.size(), t -> {
-			final FilamentFitter fitter = fitter(t, light, course, settings());
+			final FilamentFitter fitter = fitter(t, light, course, settings(course));
 			return fits.get(t).stream().map(f -> fitter.price(f.chain())).toList();
 		});
 	}
 
-	private FitSettings settings() {
-		return FitSettings.DEFAULT.withFreeLength(lengths == LengthModel.FREE);
+	private FitSettings settings(final FilamentCourse course) {
+		return FitSettings.DEFAULT.withStiffness(course.stiffness())
+			.withFreeLength(lengths == LengthModel.FREE);
 	}
 
 	private CandidateSet candidates(final FrameView frame, final FilamentEstimate estimate) {
@@ -249,11 +256,11 @@ public final class FitResolver {
 		final List<NormalizedFrame> light, final FilamentCourse course,
 		final List<CandidateSet> sets) {
 		final int links = FilamentEstimator.links(course.estimate().length());
-		final FitSettings rough = settings().roughAndStiff(FitSettings.START_STIFFNESS);
+		final FitSettings rough = settings(course).roughAndStiff(FitSettings.START_STIFFNESS);
 		return workers.map("Fitting the proposals", progress, frames.size(), t -> {
-			final FilamentFitter fitter = fitter(t, light, course, settings());
+			final FilamentFitter fitter = fitter(t, light, course, settings(course));
 			final FitProposals proposer = new FitProposals(frames.get(t), course.in(t), links,
-				settings().freeLength());
+				settings(course).freeLength());
 			final FilamentFitter stiff = fitter(t, light, course, rough);
 			final List<Fit> fits = new ArrayList<>(proposer.of(sets.get(t), fitter, stiff));
 			if (course.length().isOpen(t))
@@ -271,8 +278,8 @@ public final class FitResolver {
 		final int n = proposals.size();
 		final Propagation propagation = new Propagation(FitSolver.WIDTH,
 			MotionPrice.learn(proposals, course.anchor()),
-			t -> fitter(t, light, course, settings()), proposals,
-			new Propagation.Frames(course, settings().freeLength()), progress);
+			t -> fitter(t, light, course, settings(course)), proposals,
+			new Propagation.Frames(course, settings(course).freeLength()), progress);
 		final List<List<List<Fit>>> walks = workers.map(2, direction -> propagation
 			.walk(IntStream.range(0, n).map(i -> direction == 0 ? i : n - 1 - i).toArray()));
 		final List<List<Fit>> pools = new ArrayList<>();

@@ -155,7 +155,8 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 		return new FitEvidence(FitConfidence.rival(FitConfidence.gap(path, pools.get(t), t)),
 			confidence.misfit(look.quality()), Math.log(Math.max(1, look.residue().pattern())),
 			look.quality().dark(), look.residue().unexplained(), look.residue().invented(),
-			look.beyond(), look.missing(), look.uncovered(), jump(t, path, motion));
+			look.beyond(), look.missing(), look.uncovered(), jump(t, path, motion),
+			FitEvidence.faint(course.noise()));
 	}
 
 	/** How much farther than usual the chosen chain moved, from the frame before or to the next. */

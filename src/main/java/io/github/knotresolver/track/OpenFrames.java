@@ -73,21 +73,22 @@ record OpenFrames(List<Seen> seen) {
 	 * @param light their pixels, a strand's brightness 1
 	 * @param sets the trails of each frame
 	 * @param estimate what the filament looks like
+	 * @param endsFree weights of a fit with both ends and the length free
 	 * @param workers threads
 	 * @param progress asked whether to stop
 	 */
 	static OpenFrames find(final List<FrameView> frames, final List<NormalizedFrame> light,
-		final List<CandidateSet> sets, final FilamentEstimate estimate, final Workers workers,
-		final Progress progress) {
+		final List<CandidateSet> sets, final FilamentEstimate estimate, final FitSettings endsFree,
+		final Workers workers, final Progress progress) {
 		final List<Optional<Seen>> seen = workers.map("Looking at open frames", progress,
 			frames.size(), t -> clear(sets.get(t)).filter(OpenFrames::isOpen)
-				.flatMap(c -> fitted(t, frames, light, c, estimate)));
+				.flatMap(c -> fitted(t, frames, light, c, estimate, endsFree)));
 		final boolean[] closed = inLongRun(seen);
 		final List<Optional<Seen>> more = workers.map("Looking at crossed frames", progress,
 			frames.size(),
 			t -> closed[t]
 				? clear(sets.get(t)).filter(c -> !isOpen(c))
-					.flatMap(c -> fitted(t, frames, light, c, estimate))
+					.flatMap(c -> fitted(t, frames, light, c, estimate, endsFree))
 				: seen.get(t));
 		return new OpenFrames(more.stream().flatMap(Optional::stream).toList());
 	}
@@ -118,7 +119,8 @@ record OpenFrames(List<Seen> seen) {
 	}
 
 	private static Optional<Seen> fitted(final int t, final List<FrameView> frames,
-		final List<NormalizedFrame> light, final Candidate best, final FilamentEstimate estimate) {
+		final List<NormalizedFrame> light, final Candidate best, final FilamentEstimate estimate,
+		final FitSettings endsFree) {
 		final Polyline contour = ContourBuilder.smooth(best);
 		if (contour.size() < 2 || contour.length() < 4 * estimate.model().sigma())
 			return Optional.empty();
@@ -129,12 +131,12 @@ record OpenFrames(List<Seen> seen) {
 		final int links = FilamentEstimator.links(estimate.length());
 		final EndLight ends = new EndLight(frame, estimate.model(), frame.noise());
 		final Chain first = FilamentEstimator.fromSkeleton(frame, estimate.model(),
-			Chain.along(contour, links, contour.length()));
+			Chain.along(contour, links, contour.length()), endsFree);
 		final Chain settled = ends.settled(first);
 		final Chain chain = settled == first
 			? first
 			: new FilamentFitter(frame, estimate.model(), links, Optional.empty(),
-				FitSettings.ENDS_FREE).fit(settled, Optional.empty()).chain();
+				endsFree).fit(settled, Optional.empty()).chain();
 		if (Math.abs(chain.length() / contour.length() - 1) > ASTRAY
 			|| FitQuality.of(frame, estimate.model(), chain).dark() > DARK)
 			return Optional.empty();

@@ -99,7 +99,8 @@ class FilamentEstimatorTest {
 		}
 		try (Workers workers = new Workers(2)) {
 			return FilamentEstimator
-				.estimate(sightings, EnumSet.allOf(LineModel.Kind.class), workers, Progress.NONE)
+				.estimate(sightings, EnumSet.allOf(LineModel.Kind.class), FitSettings.ENDS_FREE, workers,
+					Progress.NONE)
 				.orElseThrow();
 		}
 	}

@@ -22,7 +22,7 @@ class FitConfidenceTest {
 	private static final int FIGURES = FitEvidence.NAMES.split(",").length;
 
 	private static FitEvidence evidence(final double... f) {
-		return new FitEvidence(f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8], f[9]);
+		return new FitEvidence(f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8], f[9], f[10]);
 	}
 
 	private static double confidence(final double... figures) {
@@ -34,6 +34,17 @@ class FitConfidenceTest {
 		final double[] none = new double[FIGURES];
 		assertTrue(confidence(none) > 0.95, confidence(none) + "");
 		assertEquals("", FitConfidence.reason(evidence(none)));
+	}
+
+	@Test
+	void inStrongNoiseDoubtCountsForMore() {
+		final double[] figures = new double[FIGURES];
+		figures[FIGURES - 1] = FitEvidence.faint(0.35);
+		figures[0] = 1;
+		final double clear = confidence(figures);
+		figures[FIGURES - 1] = FitEvidence.faint(0.6);
+		assertTrue(clear > 0.95 && confidence(figures) < 0.9,
+			clear + ", " + confidence(figures));
 	}
 
 	@Test
