@@ -33,7 +33,7 @@ public record FitEvidence(double rival, double misfit, double pattern, double da
 	public static final String NAMES = "rival,misfit,pattern,dark,unexplained,invented,beyond,missing,uncovered,jump,faint";
 
 	/** Noise (strands' brightnesses) up to this is harmless; so much more is as bad as it gets. */
-	private static final double HARMLESS = 0.4, DROWNING = 0.2;
+	private static final double HARMLESS = 0.5, DROWNING = 0.15;
 
 	/** A pixel's noise in strands' brightnesses as a figure. */
 	static double faint(final double noise) {

@@ -42,7 +42,7 @@ class FitConfidenceTest {
 		figures[FIGURES - 1] = FitEvidence.faint(0.35);
 		figures[0] = 1;
 		final double clear = confidence(figures);
-		figures[FIGURES - 1] = FitEvidence.faint(0.6);
+		figures[FIGURES - 1] = FitEvidence.faint(0.7);
 		assertTrue(clear > 0.95 && confidence(figures) < 0.9,
 			clear + ", " + confidence(figures));
 	}
