@@ -55,7 +55,7 @@ public record Rendering(boolean optical, double pixelSize, int margin, int bits,
 		return OptionText.number("snr", snr, "a number of dB from -30 to 100, or inf");
 	}
 
-	/** @return the options that had a say, for {@code parameters.json} */
+	/** @return the options that were used, for {@code parameters.json} */
 	Map<String, Object> settings() {
 		final Map<String, Object> json = new LinkedHashMap<>();
 		json.put("rendering", optical ? "optical" : "paper");

@@ -11,8 +11,8 @@ package io.github.knotresolver.measure;
  */
 final class BendingIntegral {
 
-	/** Length over which errors of curvature are alike, in windows. */
-	private static final double ALIKE = 0.2;
+	/** Length over which errors of curvature are correlated, in windows. */
+	private static final double CORRELATED = 0.2;
 
 	private final Samples raw;
 	private final double[] curvature;
@@ -33,11 +33,11 @@ final class BendingIntegral {
 
 	/**
 	 * @param square variance of a point
-	 * @param alike how many points have one point's error
+	 * @param correlated how many points share one point's error
 	 * @param window width of the smoothing
 	 */
-	Estimate measured(final double square, final double alike, final double window) {
-		final double noise = square * alike;
+	Estimate measured(final double square, final double correlated, final double window) {
+		final double noise = square * correlated;
 		final int n = raw.size();
 		final int first = nearest(window / 2), last = nearest(raw.length() - window / 2);
 		final double[] influence = new double[n];
@@ -48,7 +48,7 @@ final class BendingIntegral {
 			energy += (k * k - v) * ds / 2;
 			seen += k * k * ds / 2;
 			taken += (v / 2 + crossed[c]) * ds;
-			straight += v * v * ds * ALIKE * window / 2;
+			straight += v * v * ds * CORRELATED * window / 2;
 			smoothed += (k * bias.curvatureDifference(c) - crossed[c]) * ds;
 			weights.add(c, k * ds, influence);
 			influence[i] += k * k * k * ds / 2;
@@ -61,7 +61,7 @@ final class BendingIntegral {
 		final double ends = Math.hypot(endError(first, nearest(window), window),
 			endError(last, nearest(raw.length() - window), window));
 		// The noise that is taken off is itself known from few independent errors.
-		final double guessed = taken * taken * 2 * alike / n;
+		final double guessed = taken * taken * 2 * correlated / n;
 		return new Estimate(energy + smoothed,
 			Math.sqrt(bent + straight + smoothed * smoothed / 4 + ends * ends + guessed));
 	}

@@ -7,7 +7,7 @@ package io.github.knotresolver.measure;
  * @param sigma standard deviation of a point across the curve, in the unit of
  *          length, estimated from the residuals of a smoothing that is wide
  *          enough to show it (see {@link ErrorModel})
- * @param inflation by how much the errors of neighbouring points, being alike,
+ * @param inflation by how much the errors of neighbouring points, being correlated,
  *          widen the variance of an average over many: 1 if they are
  *          independent
  * @param held whether the contours were held at one length, as those of a fit are

@@ -6,7 +6,7 @@ import java.util.Collection;
 import io.github.knotresolver.progress.Cancellation;
 
 /**
- * How alike the errors of points are that lie near each other on a contour.
+ * How the errors of points are correlated that lie near each other on a contour.
  * Points of a contour that was traced pixel by pixel err almost independently;
  * those of a contour that was fitted to an image, or drawn as a spline, err
  * together over a few pixels.
@@ -69,7 +69,7 @@ record ErrorCorrelation(boolean gaussian, double range) {
 	}
 
 	/**
-	 * @param curves contours that were smoothed alike
+	 * @param curves contours that were smoothed in the same way
 	 * @param filter the smoothing's filter away from the ends
 	 * @param kind what is known of the errors
 	 * @return the correlation that explains their residuals best

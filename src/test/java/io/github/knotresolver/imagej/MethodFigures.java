@@ -94,7 +94,7 @@ public final class MethodFigures {
 
 	/**
 	 * @param args the folder for the figures
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void main(final String[] args) throws IOException {
 		System.setProperty("java.awt.headless", "true");

@@ -29,7 +29,7 @@ public final class ReproduceMain {
 	/**
 	 * @param args full or quick; the document whose tables are written anew; where
 	 *          the new one goes; existing folders of the figures and of the rows
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void main(final String[] args) throws IOException {
 		final boolean quick = args[0].equals("quick");

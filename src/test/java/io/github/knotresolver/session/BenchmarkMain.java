@@ -46,7 +46,7 @@ public final class BenchmarkMain {
 
 	/**
 	 * @param args folder of the results, modes separated by commas, movies
-	 * @throws IOException if the disk says no
+	 * @throws IOException if a file cannot be written
 	 */
 	public static void main(final String[] args) throws IOException {
 		final BenchmarkMain benchmark = new BenchmarkMain(Path.of(args[0]));
