@@ -2,6 +2,7 @@ package io.github.knotresolver.command;
 
 import java.awt.GraphicsEnvironment;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 
 import org.scijava.plugin.Plugin;
@@ -48,6 +49,19 @@ public final class CommandPlugIn implements PlugIn {
 		else
 			// Without a person to ask, all values keep their defaults.
 			execute(command, title);
+	}
+
+	/**
+	 * Opens a Command's dialog with some values filled in; returns at once.
+	 *
+	 * @param name of the Command's class
+	 * @param texts values by key
+	 */
+	static void open(final String name, final Map<String, String> texts) {
+		final KnotCommand command = create(name);
+		Form.of(command).fill(texts);
+		final String title = command.getClass().getAnnotation(Plugin.class).label();
+		new Thread(() -> converse(command, name, title), title).start();
 	}
 
 	/** Until the Command is done or given up: what it refuses, the dialog shows again. */

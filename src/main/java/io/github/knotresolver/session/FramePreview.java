@@ -22,6 +22,7 @@ import io.github.knotresolver.skeleton.EvidenceFinder;
 import io.github.knotresolver.skeleton.Skeletonize;
 import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
+import net.imglib2.type.numeric.real.FloatType;
 
 /**
  * Single frames of a movie as the program sees them before anything is resolved, for a person who
@@ -142,6 +143,23 @@ public final class FramePreview {
 			Skeletonize.thin(mask), new LookPlace.Lines(silent(settings),
 				lines == movie ? Polarity.BRIGHT : Polarity.DARK, OptionalDouble.empty()),
 			work.progress);
+	}
+
+	/**
+	 * The frame as a threshold sees it: bright lines, stretched, without single noisy pixels.
+	 *
+	 * @param settings how; their steps have no part in it
+	 * @param frame 1-based number of a frame of the movie
+	 * @param progress asked whether to stop
+	 * @return the whole frame, 0..1
+	 */
+	public synchronized Img<FloatType> clean(final Settings settings, final int frame,
+		final Progress progress) {
+		final List<Integer> wanted = new FrameChoice(movie, settings).frames();
+		try (Workers workers = new Workers(settings.threads())) {
+			return preparer(settings, bright(settings, wanted, new Work(workers, progress)))
+				.clean(frame);
+		}
 	}
 
 	private Bright bright(final Settings settings, final List<Integer> wanted, final Work work) {

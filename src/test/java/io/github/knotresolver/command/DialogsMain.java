@@ -125,6 +125,7 @@ final class DialogsMain {
 		scenes.put("the ROI Manager is measured", this::measure);
 		scenes.putAll(PreviewScenes.scenes());
 		scenes.putAll(RunScenes.scenes());
+		scenes.putAll(TuneScenes.scenes());
 		return scenes;
 	}
 

@@ -31,7 +31,8 @@ import io.github.knotresolver.options.RunOptions;
 class FormTest {
 
 	static Stream<KnotCommand> commands() {
-		return Stream.of(new ResolveFilamentCommand(), new ReviewResultCommand(),
+		return Stream.of(new ResolveFilamentCommand(), new TuneSegmentationCommand(),
+			new ReviewResultCommand(),
 			new CorrectFrameCommand(), new MeasureContoursCommand(), new BatchCommand(),
 			new SimulateMovieCommand(), new EvaluateCommand(), new SampleCommand(),
 			new CiteCommand());

@@ -1,0 +1,123 @@
+package io.github.knotresolver.command;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Dialog;
+import java.awt.Frame;
+import java.awt.Point;
+import java.awt.Robot;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.util.Arrays;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+
+import javax.swing.JSpinner;
+
+import ij.ImagePlus;
+
+/** {@code Tune Segmentation...} with mouse and keys. */
+final class TuneScenes {
+
+	private static final String TUNE = "Tune Segmentation...";
+	private final Robot robot;
+
+	private TuneScenes() throws Exception {
+		robot = new Robot();
+		robot.setAutoDelay(20);
+	}
+
+	static Map<String, DialogsMain.Scene> scenes() {
+		return new TreeMap<>(Map.of("a segmentation is tuned and used",
+			() -> new TuneScenes().tune(), "tuning needs an image, and goes with it",
+			() -> new TuneScenes().images()));
+	}
+
+	private void tune() throws Exception {
+		final ImagePlus image = DialogsMain.sample("tuned");
+		final Frame window = open(image);
+		final double automatic = area(image);
+		click(named(window, "strip"), 0.5);
+		Windows.await("frame 13", () -> image.getCurrentSlice() == 13 && area(image) > 0
+			&& Windows.text(window).contains("frame 13: "));
+		image.setSlice(2);
+		Windows.await("frame 2", () -> Windows.text(window).contains("frame 2: "));
+		click(named(window, "histogram"), 0.9);
+		Windows.await("threshold",
+			() -> Math.abs(((Number) ((JSpinner) named(window, "threshold")).getValue())
+				.doubleValue() - 0.9) < 0.02);
+		Windows.await("smaller mask", () -> area(image) > 0 && area(image) < automatic);
+		click(named(window, "Use in Resolve"), 0.5);
+		final Dialog dialog = Windows.dialog("Resolve Filament...");
+		DialogsMain.require(!window.isShowing(), "The window stays.");
+		DialogsMain.require(Windows.field(dialog, "Threshold").getText().startsWith("0."),
+			Windows.field(dialog, "Threshold").getText());
+		DialogsMain.require(Windows.text(dialog).contains("threshold=0."),
+			"What differs is not named: " + Windows.text(dialog));
+		Windows.press(dialog, "Cancel");
+		Windows.await("end", () -> !dialog.isShowing() && image.getOverlay() == null);
+	}
+
+	private void images() throws Exception {
+		Windows.start(TUNE);
+		Windows.press(Windows.dialog(TUNE), "OK");
+		Windows.message("There is no image open; open a movie, and tune it then.");
+		final ImagePlus image = DialogsMain.sample("closed");
+		final Frame window = open(image);
+		image.close();
+		Windows.await("end", () -> !window.isShowing());
+		final ImagePlus other = DialogsMain.sample("escaped");
+		final Frame again = open(other);
+		Windows.onEvents(() -> {
+			again.toFront();
+			named(again, "Close").requestFocus();
+		});
+		Windows.await("focus", () -> named(again, "Close").isFocusOwner());
+		robot.keyPress(KeyEvent.VK_ESCAPE);
+		robot.keyRelease(KeyEvent.VK_ESCAPE);
+		Windows.await("end", () -> !again.isShowing() && other.getOverlay() == null);
+	}
+
+	private static Frame open(final ImagePlus image) throws Exception {
+		Windows.start(TUNE);
+		Windows.press(Windows.dialog(TUNE), "OK");
+		final String title = "Tune " + image.getTitle();
+		Windows.await("window", () -> frame(title).isPresent());
+		Windows.await("mask", () -> area(image) > 0);
+		return frame(title).orElseThrow();
+	}
+
+	private static Optional<Frame> frame(final String title) {
+		return Arrays.stream(Frame.getFrames())
+			.filter(f -> f.isShowing() && f.getTitle().equals(title)).findFirst();
+	}
+
+	/** Pixels inside the outline that is drawn. */
+	private static double area(final ImagePlus image) {
+		return image.getOverlay() == null
+			? 0
+			: Arrays.stream(image.getOverlay().toArray())
+				.filter(r -> "look-mask".equals(r.getName()))
+				.mapToDouble(r -> r.getStatistics().pixelCount).sum();
+	}
+
+	private static Component named(final Container container, final String name) {
+		return all(container).filter(c -> name.equals(c.getName())).findFirst().orElseThrow();
+	}
+
+	private static Stream<Component> all(final Container container) {
+		return Arrays.stream(container.getComponents()).flatMap(c -> Stream.concat(Stream.of(c),
+			c instanceof Container inner ? all(inner) : Stream.empty()));
+	}
+
+	private void click(final Component component, final double along) {
+		final Point at = component.getLocationOnScreen();
+		robot.mouseMove(at.x + (int) (along * component.getWidth()) + 1,
+			at.y + component.getHeight() / 2);
+		robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+		robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+		robot.waitForIdle();
+	}
+}
