@@ -5,11 +5,17 @@ import java.io.PrintStream;
 
 /**
  * Standard output and standard error of one thread, and of those that it starts, somewhere
- * else: for libraries that print. What other threads print goes where it went before.
+ * else: for libraries that print. So does what AWT's decoders of pictures print, whose threads
+ * belong to nobody. What other threads print goes where it went before.
  */
 final class ThreadPrinting extends OutputStream {
 
 	private static final ThreadLocal<PrintStream> OWN = new InheritableThreadLocal<>();
+
+	/** How AWT calls the threads that decode pictures. */
+	private static final String DECODER = "Image Fetcher";
+
+	private static volatile PrintStream latest;
 
 	private final PrintStream usual;
 
@@ -26,10 +32,13 @@ final class ThreadPrinting extends OutputStream {
 		if (!(System.err instanceof Routed))
 			System.setErr(new Routed(System.err));
 		OWN.set(own);
+		latest = own;
 	}
 
 	private PrintStream target() {
-		final PrintStream own = OWN.get();
+		final PrintStream own = Thread.currentThread().getName().startsWith(DECODER)
+			? latest
+			: OWN.get();
 		return own == null ? usual : own;
 	}
 

@@ -24,6 +24,9 @@ class ThreadPrintingTest {
 				final Thread child = new Thread(() -> System.out.print(7));
 				child.start();
 				join(child);
+				final Thread decoder = new Thread(() -> System.out.print(8), "Image Fetcher 0");
+				decoder.start();
+				join(decoder);
 			});
 			reader.start();
 			reader.join();
@@ -31,7 +34,7 @@ class ThreadPrintingTest {
 		} finally {
 			System.setOut(before);
 		}
-		assertEquals(String.format("µ of the reader%n7"), caught.toString(StandardCharsets.UTF_8));
+		assertEquals(String.format("µ of the reader%n78"), caught.toString(StandardCharsets.UTF_8));
 		assertEquals(String.format("µ of others%n"), usual.toString(StandardCharsets.UTF_8));
 	}
 
