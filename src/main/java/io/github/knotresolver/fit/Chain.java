@@ -342,6 +342,28 @@ public final class Chain {
 	}
 
 	/**
+	 * O(links of both).
+	 *
+	 * @param other another chain
+	 * @param distance in pixels
+	 * @return whether some node of one lies nearer than that, and half a link of each, to one of
+	 *         the other
+	 */
+	boolean comesNear(final Chain other, final double distance) {
+		final double[] ax = new double[theta.length + 1], ay = new double[theta.length + 1];
+		final double[] bx = new double[other.theta.length + 1], by = new double[bx.length];
+		nodes(ax, ay);
+		other.nodes(bx, by);
+		final double far = distance + 0.5 * (linkLength + other.linkLength);
+		for (int i = 0; i < ax.length; i++)
+			for (int k = 0; k < bx.length; k++)
+				if ((ax[i] - bx[k]) * (ax[i] - bx[k]) + (ay[i] - by[k]) * (ay[i] - by[k]) < far
+					* far)
+					return true;
+		return false;
+	}
+
+	/**
 	 * Mean absolute difference of the directions at equal arc length. Directions are
 	 * continuous along a chain, so that a loop that is run the other way round counts
 	 * with its full turn even if it covers the same pixels.

@@ -150,7 +150,8 @@ public final class Scene {
 	 * @return whether they are so near that one's light may fall on the other
 	 */
 	public boolean mayTouch(final int k, final int other) {
-		return members.get(k).patch.meets(members.get(other).patch);
+		final Drawn a = members.get(k), b = members.get(other);
+		return a.patch.meets(b.patch) && a.chain.comesNear(b.chain, 2 * line.reach());
 	}
 
 	/**
@@ -183,6 +184,20 @@ public final class Scene {
 				count++;
 			}
 		return count == 0 ? 0 : sum / count;
+	}
+
+	/**
+	 * @param chain a chain
+	 * @param strands how much light may be missing or too much
+	 * @return whether it is more at one of its nodes
+	 */
+	public boolean isOff(final Chain chain, final double strands) {
+		final double[] x = new double[chain.links() + 1], y = new double[chain.links() + 1];
+		chain.nodes(x, y);
+		for (int i = 0; i < x.length; i++)
+			if (Math.abs(mismatch((int) Math.rint(x[i]), (int) Math.rint(y[i]))) > strands)
+				return true;
+		return false;
 	}
 
 	/**

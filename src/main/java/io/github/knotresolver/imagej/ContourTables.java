@@ -14,6 +14,7 @@ import io.github.knotresolver.measure.MeasuredFilament;
 import io.github.knotresolver.measure.MeasuredFrame;
 import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.measure.Quantity;
+import io.github.knotresolver.measure.Gliding;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.Observation;
 
@@ -133,7 +134,7 @@ public final class ContourTables {
 		table.setNaNEmptyCells(true);
 		final String length = unit(calibration.unit());
 		for (final MeasuredFilament filament : result.filaments()) {
-			final FilamentSummary s = FilamentSummary.of(filament, calibration.pixelSize());
+			final FilamentSummary s = FilamentSummary.of(filament, calibration);
 			table.addRow();
 			table.addValue(FILAMENT, filament.track().id());
 			table.addValue("anchor", filament.track().anchor().label());
@@ -143,6 +144,10 @@ public final class ContourTables {
 			table.addValue("length SE" + length, s.lengthError());
 			table.addValue("frames resolved", filament.track().resolved());
 			table.addValue("mean confidence", s.confidence());
+			table.addValue("gliding path" + length,
+				s.gliding().map(Gliding::path).orElse(Double.NaN));
+			table.addValue("gliding speed" + unit(calibration.unit() + "/" + calibration.timeUnit()),
+				s.gliding().map(Gliding::speed).orElse(Double.NaN));
 		}
 		return table;
 	}

@@ -1,10 +1,14 @@
 package io.github.knotresolver.io;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 
+import io.github.knotresolver.measure.Gliding;
 import io.github.knotresolver.measure.LengthStatistics;
 import io.github.knotresolver.measure.MeasuredFilament;
+import io.github.knotresolver.model.Anchor;
+import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 
@@ -18,16 +22,19 @@ import io.github.knotresolver.model.Observation;
  * @param lengthError the length's standard error in calibrated units; NaN if it is not
  *          known
  * @param confidence mean over the frames that have a contour; NaN without
+ * @param gliding of a free filament; empty for a clamped one, and where it cannot be measured
  */
 public record FilamentSummary(OptionalInt firstFrame, OptionalInt lastFrame, double length,
-	double lengthError, double confidence) {
+	double lengthError, double confidence, Optional<Gliding> gliding) {
 
 	/**
 	 * @param filament a measured filament
-	 * @param pixelSize edge of a pixel in calibrated units
+	 * @param calibration the movie's
 	 * @return its summary
 	 */
-	public static FilamentSummary of(final MeasuredFilament filament, final double pixelSize) {
+	public static FilamentSummary of(final MeasuredFilament filament,
+		final Calibration calibration) {
+		final double pixelSize = calibration.pixelSize();
 		final List<Observation> frames = filament.track().frames();
 		final double used = filament.track().length() * pixelSize;
 		return new FilamentSummary(
@@ -37,7 +44,10 @@ public record FilamentSummary(OptionalInt firstFrame, OptionalInt lastFrame, dou
 			filament.track().lengthError() * pixelSize,
 			frames.stream().filter(f -> f.contour().isPresent())
 				.mapToDouble(Observation::confidence).filter(Double::isFinite).average()
-				.orElse(Double.NaN));
+				.orElse(Double.NaN),
+			filament.track().anchor() == Anchor.FREE
+				? Gliding.of(frames.stream().map(Observation::contour).toList(), calibration)
+				: Optional.empty());
 	}
 
 	/** Of a frame that was left out, nobody knows it. */

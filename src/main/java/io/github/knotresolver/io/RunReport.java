@@ -64,7 +64,7 @@ public final class RunReport {
 	}
 
 	private static String line(final MeasuredFilament filament, final Calibration c) {
-		final FilamentSummary s = FilamentSummary.of(filament, c.pixelSize());
+		final FilamentSummary s = FilamentSummary.of(filament, c);
 		final FilamentTrack track = filament.track();
 		if (s.firstFrame().isEmpty())
 			return "Filament " + track.id() + " (" + track.anchor().label() + "): never in view.";
@@ -72,8 +72,13 @@ public final class RunReport {
 			+ s.firstFrame().getAsInt() + "-" + s.lastFrame().getAsInt() + ", resolved in "
 			+ track.resolved()
 			+ (Double.isNaN(s.length())
-				? "."
-				: ", length " + NumberText.significant(s.length()) + " " + c.unit() + ".");
+				? ""
+				: ", length " + NumberText.significant(s.length()) + " " + c.unit())
+			+ s.gliding()
+				.map(g -> ", glides at " + NumberText.significant(g.speed()) + " " + c.unit() + "/"
+					+ c.timeUnit())
+				.orElse("")
+			+ ".";
 	}
 
 	private static long inView(final FilamentTrack track) {

@@ -7,22 +7,14 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 
-import net.imglib2.img.Img;
-import net.imglib2.type.logic.BitType;
-
 import io.github.knotresolver.candidate.TrailCandidates;
 import io.github.knotresolver.fit.Chain;
-import io.github.knotresolver.fit.NormalizedFrame;
-import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.graph.SkeletonGraph;
-import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.model.LengthModel;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
-import io.github.knotresolver.skeleton.Skeletonize;
 import io.github.knotresolver.track.SceneSettler.Settled;
 
 /**
@@ -31,12 +23,6 @@ import io.github.knotresolver.track.SceneSettler.Settled;
  * the movie without the light of the other filaments.
  */
 final class ClampedAgain {
-
-	/** Where others shine more than this (strands), the mask is made anew. */
-	private static final double SHINES = 0.1;
-
-	/** There a pixel belongs to the filament if so much light is left around it. */
-	private static final double LEFT = 0.4;
 
 	private final SceneLine line;
 	private final Workers workers;
@@ -83,15 +69,7 @@ final class ClampedAgain {
 		final List<Chain> others = new ArrayList<>(pass.chains().get(t));
 		if (k >= 0)
 			others.remove(k);
-		final Scene scene = new Scene(frame.light(), line.tables(), others);
-		final NormalizedFrame left = scene.residual();
-		final boolean[] shone = scene.drawnAbove(SHINES);
-		final boolean[] mask = Pixels.bits(frame.mask());
-		for (int i = 0; i < mask.length; i++)
-			if (shone[i])
-				mask[i] = left.meanAround(i % left.width(), i / left.width()) > LEFT;
-		final Img<BitType> rest = Pixels.mask(mask, left.width());
-		return new FrameView(frame.frame(), left, rest, SkeletonGraph.of(Skeletonize.thin(rest)));
+		return SceneRemainder.of(frame, line.tables(), others);
 	}
 
 	/** A frame without a contour has that of the nearest one before, or after. */

@@ -16,9 +16,20 @@ import io.github.knotresolver.model.AnchorChoice;
  *
  * @param clamped whether one end is held
  * @param reversed whether the last point comes first
- * @param slid how far the filament has slid towards its leading end over the movie, in pixels
+ * @param slid how far the filament has slid towards its leading end, in pixels
+ * @param roams whether both ends were seen to go far
  */
-record FilamentEnds(boolean clamped, boolean reversed, double slid) {
+record FilamentEnds(boolean clamped, boolean reversed, double slid, boolean roams) {
+
+	/** What is seen clearly for this share of the frames, and for so many, tells the ends. */
+	private static final double ENOUGH = 0.25;
+	private static final int FEWEST = 10;
+
+	/** So many frames in a row that are not clear do not interrupt what is seen. */
+	private static final int GAP = 2;
+
+	/** An end that stays this near (pixels, median) to its place does not go far. */
+	private static final double ROAMS = 8;
 
 	/** A clamped end moves by less than this share of what the other end moves, ... */
 	private static final double STILL_SHARE = 0.4;
@@ -45,6 +56,34 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid) {
 	private static final double ALIKE = 0.95;
 
 	/**
+	 * The ends by the longest time over which the filament is seen clearly, if that is long
+	 * enough: what happens while it is lost must not decide. Otherwise by all frames.
+	 *
+	 * @param chains a filament in all its frames, in order of time
+	 * @param clear for each whether all light around it is explained
+	 * @param anchor whether an end is held, if that is told
+	 */
+	static FilamentEnds of(final List<Chain> chains, final boolean[] clear,
+		final AnchorChoice anchor) {
+		int from = 0, best = 0, bestFrom = 0, last = -1;
+		for (int t = 0; t < clear.length; t++)
+			if (clear[t]) {
+				if (last < 0 || t - last > GAP + 1)
+					from = t;
+				last = t;
+				if (t - from + 1 > best) {
+					best = t - from + 1;
+					bestFrom = from;
+				}
+			}
+		if (best < FEWEST || best < ENOUGH * clear.length) {
+			final FilamentEnds doubtful = of(chains, anchor);
+			return new FilamentEnds(doubtful.clamped, doubtful.reversed, doubtful.slid, false);
+		}
+		return of(chains.subList(bestFrom, bestFrom + best), anchor);
+	}
+
+	/**
 	 * @param chains a filament in all its frames, in order of time
 	 * @param anchor whether an end is held, if that is told
 	 */
@@ -69,7 +108,7 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid) {
 			case FREE -> false;
 		};
 		return new FilamentEnds(clamped, clamped ? stillIsLast : trails(chains, slid, f, l),
-			Math.abs(slid));
+			Math.abs(slid), !clamped && Math.min(held, loose) > ROAMS);
 	}
 
 	/** Whether the last end of a free filament comes first, by its slide and its ends' steps. */

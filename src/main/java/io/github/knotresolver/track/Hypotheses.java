@@ -22,7 +22,7 @@ record Hypotheses(List<List<Chain>> passes, List<Integer> numbers) {
 	static final double SAME = 3;
 
 	/** Filaments whose lengths differ by more are not the same. */
-	private static final double LENGTH_SHARE = 0.08, LENGTH = 3;
+	private static final double LENGTH_SHARE = 0.02, LENGTH = 1;
 
 	/** So many frames must agree. */
 	private static final int FEWEST = 3;

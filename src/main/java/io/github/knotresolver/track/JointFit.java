@@ -26,17 +26,24 @@ final class JointFit {
 
 	private final Scene scene;
 	private final SceneWeights weights;
+	private final int held;
 
 	JointFit(final Scene scene, final SceneWeights weights) {
+		this(scene, weights, 0);
+	}
+
+	/** @param held so many of the first chains are known and stay as they are */
+	JointFit(final Scene scene, final SceneWeights weights, final int held) {
 		this.scene = scene;
 		this.weights = weights;
+		this.held = held;
 	}
 
 	/** Lowers the energy of all chains together in a number of sweeps, the first one stiff. */
 	void sweep(final int sweeps) {
 		final double[] moved = new double[scene.size()];
 		for (int s = 0; s < sweeps; s++)
-			for (int k = 0; k < scene.size(); k++)
+			for (int k = held; k < scene.size(); k++)
 				if (s < 2 || isRestless(k, moved))
 					moved[k] = fit(k, s == 0 ? weights.freeAndStiff() : weights.free());
 	}

@@ -20,8 +20,11 @@ import io.github.knotresolver.model.Observation;
  * @param dark share of its length with hardly any light
  * @param haste motion since the frame before and to the one after, the larger one, as a
  *          multiple of the usual
+ * @param elsewhere share of the movie's frames in which light around this filament is not
+ *          explained, as far as that may be the fault of its length or identity
  */
-record SceneConfidence(double gap, double unexplained, double dark, double haste) {
+record SceneConfidence(double gap, double unexplained, double dark, double haste,
+	double elsewhere) {
 
 	private static final double GAP_SCALE = 2;
 
@@ -30,6 +33,9 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 
 	/** Multiples of usual motion that say nothing, and that leave hardly any confidence. */
 	private static final double USUAL = 3, HOPELESS = 10, LEAST = 0.05;
+
+	/** A filament may be unclear in this share of the frames, and no frame of it is doubtful. */
+	private static final double SELDOM = 0.2;
 
 	/** Light below this share of a strand's is hardly any. */
 	private static final double DARK = 0.35;
@@ -44,7 +50,8 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 	private static final List<String> WORDS = List.of(
 		"another course of the filaments explains the movie nearly as well",
 		"light around the contour is not explained", "parts of the contour run in the dark",
-		"the contour moved much farther than usual");
+		"the contour moved much farther than usual",
+		"in many other frames this filament does not explain the light");
 
 	double value() {
 		return Arrays.stream(factors()).reduce(1, (a, b) -> a * b);
@@ -53,7 +60,8 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 	private double[] factors() {
 		return new double[]{1 - Math.exp(-gap / GAP_SCALE),
 			Math.exp(-Math.max(0, unexplained - HARMLESS) / SCALE), 1 - dark,
-			Math.min(1, Math.max(LEAST, (HOPELESS - haste) / (HOPELESS - USUAL)))};
+			Math.min(1, Math.max(LEAST, (HOPELESS - haste) / (HOPELESS - USUAL))),
+			Math.min(1, 1 + SELDOM - elsewhere)};
 	}
 
 	/** What lowers the confidence most, in words; empty if it is high. */

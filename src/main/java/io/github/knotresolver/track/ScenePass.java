@@ -93,13 +93,18 @@ record ScenePass(int start, List<List<Chain>> chains) {
 		return motion.length == 0 ? 0 : motion[motion.length / 2];
 	}
 
-	/** How many frames do not explain the light around a filament. */
-	int unclear(final int k, final SceneLine line, final Workers workers) {
-		return (int) workers.map(chains.size(), t -> {
+	/** For each filament and frame whether the light around it is explained. */
+	boolean[][] clear(final SceneLine line, final Workers workers) {
+		final boolean[][] clear = new boolean[filaments()][chains.size()];
+		workers.map(chains.size(), t -> {
 			final Scene scene = new Scene(line.frames().get(t).light(), line.tables(),
 				chains.get(t));
-			return new Unexplained(scene, line.noise()).worst(chains.get(t).get(k)) > UNCLEAR;
-		}).stream().filter(u -> u).count();
+			final Unexplained left = new Unexplained(scene, line.noise());
+			for (int k = 0; k < clear.length; k++)
+				clear[k][t] = left.worst(chains.get(t).get(k)) <= UNCLEAR;
+			return t;
+		});
+		return clear;
 	}
 
 	/** The filament one of whose ends is usually nearest to a place; -1 if none is near. */

@@ -26,6 +26,9 @@ final class SceneRefinement {
 	/** What moves less (pixels a frame, median) lies still. */
 	private static final double STILL = 0.5;
 
+	/** A filament that winds up is not taken for more than so many. */
+	private static final int PIECES = 4;
+
 	private final SceneLine line;
 	private final SceneWeights weights;
 	private final Workers workers;
@@ -43,30 +46,40 @@ final class SceneRefinement {
 
 	List<Settled> refine(final List<Settled> found) {
 		List<Settled> filaments = found;
+		boolean[] unclear = unclear(filaments);
 		for (int round = 0; round < ROUNDS; round++)
 			for (int k = 0; k < filaments.size(); k++) {
 				progress.checkCancelled();
-				filaments = followedAgain(filaments, k);
+				if (!unclear[k])
+					continue;
+				final List<Settled> next = followedAgain(filaments, k);
+				if (next != filaments)
+					unclear = unclear(next);
+				filaments = next;
 			}
-		return isClear(filaments) ? filaments : besideWhatLiesStill(filaments);
+		for (final boolean u : unclear)
+			if (u)
+				return besideWhatLiesStill(filaments);
+		return filaments;
 	}
 
-	private boolean isClear(final List<Settled> filaments) {
-		final ScenePass pass = ScenePass.of(filaments);
-		for (int k = 0; k < filaments.size(); k++)
-			if (isUnclear(pass, k))
-				return false;
-		return true;
-	}
-
-	private boolean isUnclear(final ScenePass pass, final int k) {
-		return pass.unclear(k, line, workers) > SOME * line.frames().size();
+	/** For each filament whether the light around it is not explained in some frames. */
+	private boolean[] unclear(final List<Settled> filaments) {
+		final boolean[][] clear = ScenePass.of(filaments).clear(line, workers);
+		final boolean[] unclear = new boolean[clear.length];
+		for (int k = 0; k < unclear.length; k++) {
+			int frames = 0;
+			for (final boolean c : clear[k])
+				frames += c ? 0 : 1;
+			unclear[k] = frames > SOME * clear[k].length;
+		}
+		return unclear;
 	}
 
 	private List<Settled> followedAgain(final List<Settled> filaments, final int k) {
 		final ScenePass pass = ScenePass.of(filaments);
 		final FilamentEnds ends = FilamentEnds.of(pass.filament(k), AnchorChoice.AUTO);
-		if (!ends.clamped() || !isUnclear(pass, k))
+		if (!ends.clamped())
 			return filaments;
 		return again.follow(pass, k, FilamentEnds.place(pass.filament(k), ends.reversed()))
 			.map(s -> cheaper(filaments, filaments, k, s)).orElse(filaments);
@@ -79,7 +92,8 @@ final class SceneRefinement {
 		for (int k = 0; k < filaments.size(); k++)
 			if (pass.motion(k) < STILL)
 				still.add(filaments.get(k));
-		if (still.isEmpty() || still.size() == filaments.size())
+		if (still.isEmpty() || still.size() == filaments.size()
+			|| filaments.size() - still.size() > PIECES)
 			return filaments;
 		final Optional<Settled> moving = again.followBeside(ScenePass.of(still));
 		if (moving.isEmpty())

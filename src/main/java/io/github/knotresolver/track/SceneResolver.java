@@ -27,7 +27,10 @@ public final class SceneResolver {
 	private static final int MOST_PASSES = 5, SETTLED = 3;
 
 	/** A pass that leaves less than this (strands squared a frame and filament) is right. */
-	private static final double CLEAR = 0.05;
+	private static final double CLEAR = 0.08;
+
+	/** Less than this share of what a pass leaves unexplained is visibly less. */
+	private static final double VISIBLY = 0.8;
 
 	private final Set<LineModel.Kind> kinds;
 	private final Workers workers;
@@ -53,7 +56,7 @@ public final class SceneResolver {
 	 * @return all filaments; empty if there is none
 	 */
 	public Optional<SceneTracks> resolve(final List<FrameView> frames, final AnchorChoice anchor) {
-		return solve(frames).map(s -> SceneTracks.of(s.line, s.filaments, anchor));
+		return solve(frames).map(s -> SceneTracks.of(s.line, s.filaments, anchor, workers));
 	}
 
 	/**
@@ -80,8 +83,8 @@ public final class SceneResolver {
 		progress.report("Learning what a filament looks like", 0);
 		final SceneLine line = SceneLine.learn(frames, kinds, workers, progress);
 		final SceneWeights weights = SceneWeights.DEFAULT;
-		final List<SceneSeed> seeds = new SceneSeeds(line, weights).all(workers, progress);
-		final List<Priced> passes = passes(line, weights, seeds);
+		final SceneSeeds looks = new SceneSeeds(line, weights);
+		final List<Priced> passes = passes(line, weights, looks, looks.all(workers, progress));
 		return passes.isEmpty()
 			? Optional.empty()
 			: Optional.of(new Solved(line, new SceneRefinement(line, weights, workers, progress)
@@ -99,35 +102,52 @@ public final class SceneResolver {
 		}
 	}
 
-	/** Passes from the best seeds, until one explains everything; the cheapest first. */
+	/**
+	 * Passes from the best seeds, until one explains everything; the cheapest first. What a
+	 * pass confirms is known when the next seed is looked for.
+	 */
 	private List<Priced> passes(final SceneLine line, final SceneWeights weights,
-		final List<SceneSeed> seeds) {
+		final SceneSeeds looks, final List<SceneSeed> first) {
 		final List<Priced> passes = new ArrayList<>();
-		for (final SceneSeed seed : SceneSeeds.chosen(seeds, MOST_PASSES, line.frames().size())) {
+		final List<SceneSeed> used = new ArrayList<>();
+		final ScenePool pool = new ScenePool(line);
+		Optional<SceneSeed> seed = first.stream().findFirst();
+		while (seed.isPresent() && used.size() < MOST_PASSES) {
 			progress.report("Following the filaments", (double) passes.size() / MOST_PASSES);
-			if (seed.chains().isEmpty())
-				continue;
-			final ScenePass pass = ScenePass.from(seed.frame(), seed.chains(), line, weights,
-				progress);
-			passes.add(new Priced(pass, pass.price(line)));
-			for (int t = 0; t < line.frames().size(); t++)
-				progress.sighted(line.frames().get(t).frame(),
-					pass.chains().get(t).stream().map(Chain::contour).toList());
-			if (passes.get(passes.size() - 1).isClear())
-				break;
+			used.add(seed.get());
+			if (!seed.get().chains().isEmpty()) {
+				final ScenePass pass = ScenePass.from(seed.get().frame(), seed.get().chains(), line,
+					weights, progress);
+				final Priced priced = new Priced(pass, pass.price(line));
+				passes.add(priced);
+				show(pass, line);
+				if (pool.add(pass, workers) && priced.isClear())
+					break;
+			}
+			seed = looks.next(first, used, pool, workers, progress);
 		}
 		passes.sort(Comparator.comparingDouble(Priced::price));
 		return passes;
 	}
 
-	/** The settled movie, or the best pass alone where that explains more. */
+	private void show(final ScenePass pass, final SceneLine line) {
+		for (int t = 0; t < line.frames().size(); t++)
+			progress.sighted(line.frames().get(t).frame(),
+				pass.chains().get(t).stream().map(Chain::contour).toList());
+	}
+
+	/** The settled movie if it explains visibly more than the best pass; otherwise that. */
 	private List<Settled> settled(final SceneLine line, final SceneWeights weights,
 		final List<Priced> passes) {
-		final List<ScenePass> best = passes.stream().limit(passes.get(0).isClear() ? 1 : SETTLED)
+		final Priced best = passes.get(0);
+		final List<ScenePass> some = passes.stream().limit(best.isClear() ? 1 : SETTLED)
 			.map(Priced::pass).toList();
-		final SceneSettler settler = new SceneSettler(line, weights, best);
+		final SceneSettler settler = new SceneSettler(line, weights, some);
 		final List<Settled> settled = settler.settle(progress);
-		return ScenePass.of(settled).price(line) <= passes.get(0).price()
+		if (some.size() == 1)
+			return settled;
+		final ScenePass together = ScenePass.of(settled);
+		return together.price(line) - together.priceOfFilaments() <= VISIBLY * best.unexplained()
 			? settled
 			: settler.first(settled);
 	}

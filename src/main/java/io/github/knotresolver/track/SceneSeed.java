@@ -30,16 +30,23 @@ record SceneSeed(int frame, List<Chain> chains, boolean[] stable, double coverag
 	/**
 	 * @param frame index of the frame
 	 * @param here its chains
+	 * @param known so many of the first are known, with their lengths
 	 * @param beside those of the frames beside it
 	 * @param light of the whole frame, as the length of filament that shines so
 	 */
-	static SceneSeed of(final int frame, final List<Chain> here, final List<List<Chain>> beside,
-		final double light) {
+	static SceneSeed of(final int frame, final List<Chain> here, final int known,
+		final List<List<Chain>> beside, final double light) {
 		final List<Chain> chains = new ArrayList<>();
 		final boolean[] stable = new boolean[here.size()];
 		double covered = 0;
 		for (int k = 0; k < stable.length; k++) {
 			final Chain chain = here.get(k);
+			if (k < known) {
+				chains.add(chain);
+				stable[k] = true;
+				covered += chain.length();
+				continue;
+			}
 			final double[] lengths = new double[beside.size() + 1];
 			lengths[0] = chain.length();
 			int seen = 1;

@@ -42,18 +42,25 @@ final class SceneSeeder {
 		this.weights = weights;
 	}
 
-	/** The chains of a frame whose light is in strands. */
-	List<Chain> chains(final FrameView frame) {
-		final Scene scene = new Scene(frame.light(), line, starts(frame));
-		final JointFit fit = new JointFit(scene, weights);
-		fit.sweep(FIRST_SWEEPS);
+	/**
+	 * The chains of a frame.
+	 *
+	 * @param frame its light in strands
+	 * @param known chains that are known; they come first and stay as they are
+	 */
+	List<Chain> chains(final FrameView frame, final List<Chain> known) {
+		final int held = known.size();
+		final List<Chain> all = new ArrayList<>(known);
+		all.addAll(starts(held == 0 ? frame : SceneRemainder.of(frame, line, known)));
+		final Scene scene = new Scene(frame.light(), line, all);
+		new JointFit(scene, weights, held).sweep(FIRST_SWEEPS);
 		Scene now = scene;
 		for (int round = 0; round < ROUNDS; round++) {
-			now = new Scene(frame.light(), line, UnexplainedLight.mended(now));
-			new JointFit(now, weights).sweep(SWEEPS);
-			now = new Scene(frame.light(), line, worthTheirPrice(now));
+			now = new Scene(frame.light(), line, UnexplainedLight.mended(now, held));
+			new JointFit(now, weights, held).sweep(SWEEPS);
+			now = new Scene(frame.light(), line, worthTheirPrice(now, held));
 		}
-		new JointFit(now, weights).sweep(SWEEPS);
+		new JointFit(now, weights, held).sweep(SWEEPS);
 		return now.chains();
 	}
 
@@ -115,9 +122,9 @@ final class SceneSeeder {
 			.extended(UnexplainedLight.extended(curve, HIDDEN).reversed(), HIDDEN).reversed();
 	}
 
-	private List<Chain> worthTheirPrice(final Scene scene) {
-		final List<Chain> kept = new ArrayList<>();
-		for (int k = 0; k < scene.size(); k++) {
+	private List<Chain> worthTheirPrice(final Scene scene, final int held) {
+		final List<Chain> kept = new ArrayList<>(scene.chains().subList(0, held));
+		for (int k = held; k < scene.size(); k++) {
 			final Chain chain = scene.chain(k);
 			scene.take(k);
 			final double explained = -scene.window(List.of(chain)).price(chain, weights.free())

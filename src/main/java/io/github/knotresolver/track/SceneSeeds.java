@@ -4,6 +4,7 @@ package io.github.knotresolver.track;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
 
@@ -18,6 +19,12 @@ final class SceneSeeds {
 	private static final int LOOKS = 12;
 
 	private static final int SPACING = 5;
+
+	/** So many frames are looked at again with what is known. */
+	private static final int AGAIN = 5;
+
+	/** Where this share of the light is known, there is nothing to look for. */
+	private static final double ALL = 0.98;
 
 	/** A seed that is worth less than this share of the best is none. */
 	private static final double WORTH = 0.7;
@@ -39,6 +46,18 @@ final class SceneSeeds {
 			middles.add(t);
 		if (middles.isEmpty())
 			middles.add(0);
+		return at(middles, new ScenePool(line), workers, progress);
+	}
+
+	/**
+	 * Seeds in some frames, the best first.
+	 *
+	 * @param middles the frames
+	 * @param pool filaments that are known already
+	 */
+	List<SceneSeed> at(final List<Integer> middles, final ScenePool pool, final Workers workers,
+		final Progress progress) {
+		final int n = line.frames().size();
 		final SortedSet<Integer> needed = new TreeSet<>();
 		for (final int t : middles)
 			for (int u = Math.max(0, t - 1); u <= Math.min(n - 1, t + 1); u++)
@@ -46,32 +65,46 @@ final class SceneSeeds {
 		final List<Integer> frames = List.copyOf(needed);
 		final SceneSeeder seeder = new SceneSeeder(line.tables(), weights);
 		final List<List<Chain>> chains = workers.map("Looking for filaments", progress,
-			frames.size(), i -> seeder.chains(line.frames().get(frames.get(i))));
+			frames.size(), i -> seeder.chains(line.frames().get(frames.get(i)),
+				pool.known(frames.get(i))));
 		final List<SceneSeed> seeds = new ArrayList<>();
 		for (final int t : middles) {
 			final List<List<Chain>> beside = new ArrayList<>();
 			for (int u = Math.max(0, t - 1); u <= Math.min(n - 1, t + 1); u++)
 				if (u != t)
 					beside.add(chains.get(frames.indexOf(u)));
-			seeds
-				.add(SceneSeed.of(t, chains.get(frames.indexOf(t)), beside, line.lengthOfLight(t)));
+			seeds.add(SceneSeed.of(t, chains.get(frames.indexOf(t)), pool.known(t).size(), beside,
+				line.lengthOfLight(t)));
 		}
 		seeds.sort(Comparator.comparingDouble(SceneSeed::worth).reversed()
 			.thenComparingInt(SceneSeed::frame));
 		return seeds;
 	}
 
-	/** A few good seeds, well apart in time or with other numbers of filaments. */
-	static List<SceneSeed> chosen(final List<SceneSeed> all, final int most, final int frames) {
-		final List<SceneSeed> chosen = new ArrayList<>();
-		for (final SceneSeed seed : all) {
-			if (chosen.size() == most
-				|| !chosen.isEmpty() && seed.worth() < WORTH * chosen.get(0).worth())
-				break;
-			if (chosen.stream().allMatch(c -> Math.abs(c.frame() - seed.frame()) > frames / SPACING)
-				|| chosen.stream().allMatch(c -> c.chains().size() != seed.chains().size()))
-				chosen.add(seed);
-		}
-		return chosen;
+	/**
+	 * Where to start from next: a good seed well apart in time, or with another number of
+	 * filaments, from those that were used; if filaments are known already, the best of the
+	 * frames in which most of the light is theirs.
+	 *
+	 * @param first the seeds of the movie, the best first
+	 * @param used from which it was started already, at least one
+	 * @param pool filaments that are known
+	 * @return empty if no other seed is worth a try
+	 */
+	Optional<SceneSeed> next(final List<SceneSeed> first, final List<SceneSeed> used,
+		final ScenePool pool, final Workers workers, final Progress progress) {
+		if (pool.isEmpty())
+			return first.stream().filter(s -> s.worth() >= WORTH * first.get(0).worth())
+				.filter(s -> isAnother(s, used)).findFirst();
+		final List<Integer> frames = first.stream().map(SceneSeed::frame)
+			.filter(t -> used.stream().noneMatch(u -> u.frame() == t))
+			.filter(t -> pool.coverage(t) < ALL).sorted(Comparator.comparingDouble(pool::coverage).reversed()).limit(AGAIN).toList();
+		return at(frames, pool, workers, progress).stream().findFirst();
+	}
+
+	private boolean isAnother(final SceneSeed seed, final List<SceneSeed> used) {
+		return used.stream()
+			.allMatch(u -> Math.abs(u.frame() - seed.frame()) > line.frames().size() / SPACING)
+			|| used.stream().allMatch(u -> u.chains().size() != seed.chains().size());
 	}
 }

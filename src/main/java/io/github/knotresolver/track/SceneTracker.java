@@ -2,7 +2,6 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -26,9 +25,13 @@ final class SceneTracker {
 	/** Light that is missing or too much (strands), and as deviations of the noise. */
 	private static final double MISMATCH = 0.3, DEVIATIONS = 2.2;
 
+	/** For so many frames on end a chain is mended in each, then in every so many. */
+	private static final int PATIENCE = 10, SELDOM = 5;
+
 	private final LineTables line;
 	private final SceneWeights weights;
 	private final double mismatch;
+	private final int[] wrong;
 	private List<Chain> now;
 	private List<Chain> before = List.of();
 
@@ -44,6 +47,7 @@ final class SceneTracker {
 		mismatch = Math.max(MISMATCH, DEVIATIONS * noise);
 		this.weights = weights;
 		now = start;
+		wrong = new int[start.size()];
 	}
 
 	/** Goes on to the next frame and gives the filaments there, in the order of the start. */
@@ -60,17 +64,33 @@ final class SceneTracker {
 		final List<Chain> expected = scene.chains();
 		final double[] moved = new double[scene.size()];
 		fit(scene, expected, moved, 0);
+		final List<Chain> fitted = scene.chains();
+		final boolean[] worthIt = worthMending(scene);
 		final TipRepair tips = new TipRepair(scene, weights.tracked(), mismatch);
+		for (int k = 0; k < scene.size(); k++)
+			if (worthIt[k])
+				tips.mend(k);
+		new TailSwap(scene, weights.tracked(), expected, mismatch).mend(worthIt);
 		boolean mended = false;
 		for (int k = 0; k < scene.size(); k++)
-			mended |= tips.mend(k);
-		mended |= new TailSwap(scene, weights.tracked(), expected, mismatch).mend();
-		if (mended)
-			Arrays.fill(moved, Double.POSITIVE_INFINITY);
+			if (scene.chain(k) != fitted.get(k)) {
+				moved[k] = Double.POSITIVE_INFINITY;
+				mended = true;
+			}
 		fit(scene, mended ? scene.chains() : expected, moved, 2);
 		before = now;
 		now = scene.chains();
 		return now;
+	}
+
+	/** What has been wrong for long is not mended in every frame. */
+	private boolean[] worthMending(final Scene scene) {
+		final boolean[] worthIt = new boolean[wrong.length];
+		for (int k = 0; k < wrong.length; k++) {
+			wrong[k] = scene.isOff(scene.chain(k), mismatch) ? wrong[k] + 1 : 0;
+			worthIt[k] = wrong[k] <= PATIENCE || wrong[k] % SELDOM == 0;
+		}
+		return worthIt;
 	}
 
 	private List<Chain> predictions(final int k) {

@@ -14,6 +14,7 @@ import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.AnchorChoice;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.track.SceneSettler.Settled;
 
 /**
@@ -31,11 +32,14 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 	/** Where more than this share is in the dark, no contour can be trusted. */
 	private static final double UNRESOLVED = 0.3;
 
+	/** A contour that is less sure (confidence) is none. */
+	private static final double HOPELESS = 0.05;
+
 	/** A filament of which less than this share is inside the picture is not in view. */
 	private static final double IN_VIEW = 0.25;
 
 	/** What is shorter than so many times the line's sigma is no filament. */
-	private static final double SPECK = 16;
+	static final double SPECK = 16;
 
 	/** A free filament that is less sure on average (confidence) may be a clamped one that winds up. */
 	private static final double CREDIBLE = 0.8;
@@ -51,11 +55,12 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 	 * A filament.
 	 *
 	 * @param clamped whether one end is held: then contours begin there
+	 * @param roams whether both ends were seen to go far
 	 * @param length in pixels
 	 * @param lengthError its standard error in pixels; NaN if not known
 	 * @param frames one observation for each frame, in order
 	 */
-	public record Filament(boolean clamped, double length, double lengthError,
+	public record Filament(boolean clamped, boolean roams, double length, double lengthError,
 		List<Observation> frames) {
 
 		/** @return the mean over all frames; a frame without a contour counts 0 */
@@ -66,15 +71,16 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 	}
 
 	static SceneTracks of(final SceneLine line, final List<Settled> settled,
-		final AnchorChoice anchor) {
+		final AnchorChoice anchor, final Workers workers) {
 		final int n = line.frames().size();
 		final List<List<Chain>> chains = new ArrayList<>();
 		final List<FilamentEnds> ends = new ArrayList<>();
-		for (final Settled s : settled) {
-			final FilamentEnds e = FilamentEnds.of(s.chains(), anchor);
+		final boolean[][] clear = ScenePass.of(settled).clear(line, workers);
+		for (int k = 0; k < settled.size(); k++) {
+			final List<Chain> found = settled.get(k).chains();
+			final FilamentEnds e = FilamentEnds.of(found, clear[k], anchor);
 			ends.add(e);
-			chains
-				.add(e.reversed() ? s.chains().stream().map(Chain::reversed).toList() : s.chains());
+			chains.add(e.reversed() ? found.stream().map(Chain::reversed).toList() : found);
 		}
 		final List<List<Observation>> observed = new ArrayList<>();
 		final double[] usual = new double[settled.size()];
@@ -82,6 +88,7 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 			observed.add(new ArrayList<>());
 			usual[k] = usualMotion(chains.get(k));
 		}
+		final double[] elsewhere = usual.length < 2 ? new double[1] : unclear(clear);
 		final double noise = line.noise();
 		for (int t = 0; t < n; t++) {
 			final List<Chain> here = new ArrayList<>();
@@ -93,8 +100,8 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 			for (int k = 0; k < usual.length; k++) {
 				final double haste = haste(chains.get(k), t) / usual[k];
 				final SceneConfidence confidence = new SceneConfidence(settled.get(k).gap()[t],
-					left.worst(here.get(k)), SceneConfidence.dark(frame.light(), here.get(k)),
-					haste);
+					left.worst(here.get(k)), SceneConfidence.dark(frame.light(), here.get(k)), haste,
+					elsewhere[k]);
 				observed.get(k).add(observation(frame, here.get(k), confidence));
 			}
 		}
@@ -104,13 +111,25 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 			if (chains.get(k).get(0).length() < SPECK * line.tables().model().sigma())
 				specks++;
 			else
-				filaments.add(new Filament(ends.get(k).clamped(), chains.get(k).get(0).length(),
+				filaments.add(new Filament(ends.get(k).clamped(), ends.get(k).roams(),
+					chains.get(k).get(0).length(),
 					settled.get(k).lengthError(), SceneConfidence.together(observed.get(k))));
 		filaments.sort(ORDER);
 		final List<String> notes = new ArrayList<>(new DoubtfulEpisodes(filaments).notes());
 		if (specks > 0)
 			notes.add(specksNote(specks));
 		return new SceneTracks(line.tables().model(), filaments, notes);
+	}
+
+	/** For each filament the share of frames in which it is not clear. */
+	private static double[] unclear(final boolean[][] clear) {
+		final double[] unclear = new double[clear.length];
+		for (int k = 0; k < clear.length; k++) {
+			for (final boolean c : clear[k])
+				unclear[k] += c ? 0 : 1;
+			unclear[k] /= clear[k].length;
+		}
+		return unclear;
 	}
 
 	private static String specksNote(final int specks) {
@@ -124,7 +143,7 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 	 */
 	public boolean isOneClamped() {
 		return filaments.size() == 1
-			&& (filaments.get(0).clamped() || filaments.get(0).meanConfidence() < CREDIBLE);
+			&& (filaments.get(0).clamped() || !filaments.get(0).roams() && filaments.get(0).meanConfidence() < CREDIBLE);
 	}
 
 	private static double usualMotion(final List<Chain> chains) {
@@ -153,7 +172,10 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 			return Observation.without(frame.frame(), FrameStatus.LOST,
 				"No light was found where the filament must be.");
 		final double value = confidence.value();
-		if (confidence.dark() > UNRESOLVED || value <= 0)
+		if (value < HOPELESS)
+			return Observation.without(frame.frame(), FrameStatus.UNRESOLVED,
+				"No course was found that can be the filament's. " + confidence.reason());
+		if (confidence.dark() > UNRESOLVED)
 			return Observation.without(frame.frame(), FrameStatus.UNRESOLVED,
 				"The best contour runs in the dark for " + Math.round(100 * confidence.dark())
 					+ " % of its length.");

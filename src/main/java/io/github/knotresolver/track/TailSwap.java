@@ -57,33 +57,26 @@ final class TailSwap {
 	private record Pair(Chain a, Chain b, double energy) {
 	}
 
-	/** Exchanges tails wherever that is better; false if nothing was. */
-	boolean mend() {
-		boolean mended = false;
+	/**
+	 * Exchanges tails wherever that is better.
+	 *
+	 * @param worthIt the chains that are worth it; of a pair, one must be
+	 */
+	void mend(final boolean[] worthIt) {
 		final boolean[] wrong = new boolean[scene.size()];
 		for (int k = 0; k < wrong.length; k++)
-			wrong[k] = isWrong(scene.chain(k));
+			wrong[k] = worthIt[k] && scene.isOff(scene.chain(k), mismatch);
 		for (int i = 0; i < wrong.length; i++)
 			for (int j = 0; j < i; j++)
 				if ((wrong[i] || wrong[j]) && scene.mayTouch(i, j))
-					mended |= mend(i, j);
-		return mended;
+					mend(i, j);
 	}
 
-	private boolean isWrong(final Chain chain) {
-		final Polyline curve = chain.polyline();
-		for (int i = 0; i < curve.size(); i++)
-			if (Math.abs(scene.mismatch((int) Math.rint(curve.x(i)),
-				(int) Math.rint(curve.y(i)))) > mismatch)
-				return true;
-		return false;
-	}
-
-	private boolean mend(final int i, final int j) {
+	private void mend(final int i, final int j) {
 		final Chain a = scene.chain(i), b = scene.chain(j);
 		final List<Pair> exchanged = exchanged(a, b);
 		if (exchanged.isEmpty())
-			return false;
+			return;
 		scene.take(i);
 		scene.take(j);
 		final double before = energy(i, j, a, b);
@@ -97,7 +90,6 @@ final class TailSwap {
 		final boolean better = fitted.energy < before - BETTER;
 		scene.put(i, better ? fitted.a : a);
 		scene.put(j, better ? fitted.b : b);
-		return better;
 	}
 
 	/** What two chains cost together, leaving what was expected included. */

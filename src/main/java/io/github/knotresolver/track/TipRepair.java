@@ -45,12 +45,12 @@ final class TipRepair {
 		this.mismatch = mismatch;
 	}
 
-	/** Mends a chain; false if it stays as it is. */
-	boolean mend(final int k) {
+	/** Mends a chain, if that is better. */
+	void mend(final int k) {
 		final Chain chain = scene.chain(k);
 		final boolean first = isWrong(chain.start()), last = isWrong(chain.polyline().last());
 		if (!first && !last)
-			return false;
+			return;
 		scene.take(k);
 		final SceneWindow window = scene.window(List.of(chain));
 		final double before = window.price(chain, settings).energy();
@@ -81,7 +81,6 @@ final class TipRepair {
 			&& keep(k, window.fit(best, Optional.of(best), settings), before);
 		if (!mended)
 			scene.put(k, chain);
-		return mended;
 	}
 
 	private boolean keep(final int k, final Fit fit, final double before) {

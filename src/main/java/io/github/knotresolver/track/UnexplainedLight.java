@@ -34,13 +34,17 @@ final class UnexplainedLight {
 	private UnexplainedLight() {
 	}
 
-	/** The chains of a scene, made longer where light goes on, and those that are missing. */
-	static List<Chain> mended(final Scene scene) {
+	/**
+	 * The chains of a scene, made longer where light goes on, and those that are missing.
+	 *
+	 * @param held so many of the first chains stay as they are
+	 */
+	static List<Chain> mended(final Scene scene, final int held) {
 		final List<Polyline> curves = new ArrayList<>();
 		scene.chains().forEach(c -> curves.add(c.polyline()));
 		final List<Polyline> added = new ArrayList<>();
 		for (final Polyline stretch : stretches(scene.residual()))
-			if (stretch.length() >= EXTENDS && !extend(curves, stretch) && stretch.length() > OWN)
+			if (stretch.length() >= EXTENDS && !extend(curves, stretch, held) && stretch.length() > OWN)
 				added.add(stretch);
 		curves.addAll(added);
 		final List<Chain> chains = new ArrayList<>();
@@ -99,11 +103,12 @@ final class UnexplainedLight {
 	}
 
 	/** Adds a stretch to the nearest end that goes on there; false if there is none. */
-	private static boolean extend(final List<Polyline> curves, final Polyline stretch) {
+	private static boolean extend(final List<Polyline> curves, final Polyline stretch,
+		final int held) {
 		double nearest = NEAR;
 		int which = -1;
 		Polyline longer = null;
-		for (int k = 0; k < curves.size(); k++)
+		for (int k = held; k < curves.size(); k++)
 			for (final Polyline curve : List.of(curves.get(k), curves.get(k).reversed()))
 				for (final Polyline beyond : List.of(stretch, stretch.reversed())) {
 					final double distance = curve.last().distanceTo(beyond.first());

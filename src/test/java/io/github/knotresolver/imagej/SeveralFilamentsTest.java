@@ -85,8 +85,9 @@ class SeveralFilamentsTest {
 		assertTrue(frames.get(FRAMES + 9).endsWith(",3,0,0"), frames.get(FRAMES + 9));
 		assertTrue(frames.get(2 * FRAMES + 1).startsWith("1,lost,Gone.,"));
 		assertEquals(List.of(
-			"filament,anchor,first_frame,last_frame,length,length_se,frames_resolved,mean_confidence,unit",
-			"1,clamped,1,10,20,0.025,10,0.9,µm", "3,free,1,7,10,,7,0.8,µm", "12,free,1,10,,,0,,µm"),
+			"filament,anchor,first_frame,last_frame,length,length_se,frames_resolved,mean_confidence,unit,gliding_path,gliding_speed,time_unit",
+			"1,clamped,1,10,20,0.025,10,0.9,µm,,,s", "3,free,1,7,10,,7,0.8,µm,1.5,0.125,s",
+			"12,free,1,10,,,0,,µm,,,s"),
 			lines("filaments.csv"));
 		for (final String file : List.of("MTdata.csv", "MTdata-03.csv", "statsSummary-03.txt",
 			"tangent_angle_kymograph.tif", "tangent_angle_kymograph-03.tif", "length-03.svg",
@@ -102,7 +103,9 @@ class SeveralFilamentsTest {
 		assertEquals("movie: 3 filaments; 17 of 27 filament-frames resolved.", report.get(0));
 		assertEquals("Filament 1 (clamped): frames 1-10, resolved in 10, length 20 µm.",
 			report.get(1));
-		assertEquals("Filament 3 (free): frames 1-7, resolved in 7, length 10 µm.", report.get(2));
+		assertEquals(
+			"Filament 3 (free): frames 1-7, resolved in 7, length 10 µm, glides at 0.125 µm/s.",
+			report.get(2));
 		assertTrue(report.contains("Filament 12, frames lost: 1-10 (frames.csv says why)."),
 			report.toString());
 	}

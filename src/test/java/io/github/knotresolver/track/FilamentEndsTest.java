@@ -35,6 +35,22 @@ class FilamentEndsTest {
 	}
 
 	@Test
+	void whatHappensWhileAFilamentIsLostDoesNotDecide() {
+		final List<Chain> chains = new ArrayList<>();
+		final boolean[] clear = new boolean[40];
+		for (int t = 0; t < 40; t++) {
+			clear[t] = t < 15 && t != 7;
+			chains.add(t < 15 ? rod(20 + 2 * t, 50, 0) : rod(50 - 3 * (t - 15), 50, 0.3));
+		}
+		assertTrue(FilamentEnds.of(chains, AnchorChoice.AUTO).reversed());
+		final FilamentEnds ends = FilamentEnds.of(chains, clear, AnchorChoice.AUTO);
+		assertFalse(ends.reversed());
+		assertEquals(28, ends.slid(), 1e-9);
+		assertFalse(ends.roams(), "in the median, both ends are 7 px from their place");
+		assertFalse(FilamentEnds.of(chains, new boolean[40], AnchorChoice.AUTO).roams());
+	}
+
+	@Test
 	void theEndThatStaysComesFirstAlsoIfTheStageDrifts() {
 		final List<Chain> chains = new ArrayList<>();
 		for (int t = 0; t < 30; t++)

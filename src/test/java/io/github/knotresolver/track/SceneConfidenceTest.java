@@ -15,16 +15,18 @@ import io.github.knotresolver.model.Observation;
 
 class SceneConfidenceTest {
 
-	private static final SceneConfidence CLEAR = new SceneConfidence(50, 0, 0, 1);
+	private static final SceneConfidence CLEAR = new SceneConfidence(50, 0, 0, 1, 0);
 
 	@Test
 	void nothingThatSpeaksAgainstAContourRaisesItsConfidence() {
 		assertEquals(1, CLEAR.value(), 1e-9);
 		assertEquals("", CLEAR.reason());
-		assertLess(new SceneConfidence(0.5, 0, 0, 1), "another course");
-		assertLess(new SceneConfidence(50, 1, 0, 1), "not explained");
-		assertLess(new SceneConfidence(50, 0, 0.2, 1), "in the dark");
-		assertLess(new SceneConfidence(50, 0, 0, 6), "farther than usual");
+		assertLess(new SceneConfidence(0.5, 0, 0, 1, 0), "another course");
+		assertLess(new SceneConfidence(50, 1, 0, 1, 0), "not explained");
+		assertLess(new SceneConfidence(50, 0, 0.2, 1, 0), "in the dark");
+		assertLess(new SceneConfidence(50, 0, 0, 6, 0), "farther than usual");
+		assertLess(new SceneConfidence(50, 0, 0, 1, 0.4), "in many other frames");
+		assertEquals(1, new SceneConfidence(50, 0, 0, 1, 0.2).value(), 1e-9);
 	}
 
 	private static void assertLess(final SceneConfidence doubtful, final String why) {

@@ -1,0 +1,97 @@
+
+package io.github.knotresolver.track;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+
+import net.imglib2.img.Img;
+import net.imglib2.type.logic.BitType;
+
+import org.junit.jupiter.api.Test;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.fit.LineModel.Kind;
+import io.github.knotresolver.fit.LineTables;
+import io.github.knotresolver.fit.NormalizedFrame;
+import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.graph.SkeletonGraph;
+import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.skeleton.Skeletonize;
+
+class SceneSeederTest {
+
+	private static final int SIZE = 130;
+	private static final double NOISE = 0.05;
+	private static final LineTables LINE = LineTables
+		.together(LineModel.uniform(Kind.ADDITIVE, 1.4, 1));
+
+	/** Two filaments, one after the other on the same track: the first goes ahead. */
+	private static List<Chain> inARow(final int t) {
+		return List.of(rod(63 + 2 * t, 60, 0, 40), rod(20, 60, 0, 40));
+	}
+
+	private static Chain rod(final double x, final double y, final double angle,
+		final double length) {
+		return Chain.inScene(Polyline.of(new double[]{x, x + length * Math.cos(angle)},
+			new double[]{y, y + length * Math.sin(angle)}), length);
+	}
+
+	private static FrameView frame(final List<Chain> chains) {
+		final Random random = new Random(7);
+		final double[] light = new Scene(
+			new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]), LINE, chains).residual()
+			.pixels();
+		final boolean[] bright = new boolean[light.length];
+		for (int i = 0; i < light.length; i++) {
+			bright[i] = light[i] < -0.45;
+			light[i] = NOISE * random.nextGaussian() - light[i];
+		}
+		final Img<BitType> mask = Pixels.mask(bright, SIZE);
+		return new FrameView(1, new NormalizedFrame(SIZE, SIZE, light), mask,
+			SkeletonGraph.of(Skeletonize.thin(mask)));
+	}
+
+	@Test
+	void withOneFilamentKnownTheOtherIsToldApart() {
+		final List<Chain> truth = List.of(rod(62, 60, 0, 40), rod(22, 60, 0, 40));
+		final SceneSeeder seeder = new SceneSeeder(LINE, SceneWeights.DEFAULT);
+		final List<Chain> alone = seeder.chains(frame(truth), List.of());
+		assertEquals(1, alone.size(), "a frame cannot tell two filaments end to end from one");
+		assertEquals(80, alone.get(0).length(), 1);
+		final List<Chain> together = seeder.chains(frame(truth), List.of(truth.get(0)));
+		assertEquals(2, together.size());
+		assertSame(truth.get(0), together.get(0));
+		assertEquals(40, together.get(1).length(), 1);
+		assertTrue(SceneSeed.distance(truth.get(1).polyline(),
+			together.get(1).polyline()) < 1);
+	}
+
+	@Test
+	void whatManyFramesConfirmIsKnownWhereAllItsLightIsExplained() {
+		final List<FrameView> frames = new ArrayList<>();
+		final List<List<Chain>> followed = new ArrayList<>();
+		for (int t = 0; t < 12; t++) {
+			final List<Chain> truth = inARow(t);
+			frames.add(frame(truth));
+			// The second one is lost from the seventh frame on.
+			followed.add(List.of(truth.get(0), rod(20, 60 + (t < 6 ? 0 : 9), 0, 40)));
+		}
+		final ScenePool pool = new ScenePool(new SceneLine(LINE, frames, NOISE));
+		assertTrue(pool.isEmpty());
+		assertEquals(false, pool.add(new ScenePass(0, followed), Workers.HERE));
+		assertEquals(2, pool.known(0).size());
+		assertEquals(1, pool.known(8).size());
+		assertSame(followed.get(8).get(0), pool.known(8).get(0));
+		assertEquals(0.5, pool.coverage(8), 0.03);
+		pool.add(new ScenePass(0, followed), Workers.HERE);
+		assertEquals(1, pool.known(8).size(), "what two passes have is known once");
+	}
+}
