@@ -85,10 +85,12 @@ public final class SceneResolver {
 		final SceneWeights weights = SceneWeights.DEFAULT;
 		final SceneSeeds looks = new SceneSeeds(line, weights);
 		final List<Priced> passes = passes(line, weights, looks, looks.all(workers, progress));
-		return passes.isEmpty()
-			? Optional.empty()
-			: Optional.of(new Solved(line, new SceneRefinement(line, weights, workers, progress)
-				.refine(settled(line, weights, passes))));
+		if (passes.isEmpty())
+			return Optional.empty();
+		final List<Settled> followed = new TailExchanges(line, weights, progress)
+			.checked(settled(line, weights, passes));
+		return Optional.of(new Solved(line, measured(line, weights,
+			new SceneRefinement(line, weights, workers, progress).refine(followed))));
 	}
 
 	/** A pass with its price, and what of it is unexplained light. */
@@ -127,6 +129,7 @@ public final class SceneResolver {
 			seed = looks.next(first, used, pool, workers, progress);
 		}
 		passes.sort(Comparator.comparingDouble(Priced::price));
+		withBetterLengths(line, weights, passes);
 		return passes;
 	}
 
@@ -134,6 +137,32 @@ public final class SceneResolver {
 		for (int t = 0; t < line.frames().size(); t++)
 			progress.sighted(line.frames().get(t).frame(),
 				pass.chains().get(t).stream().map(Chain::contour).toList());
+
+	/** The best pass once more, with the lengths that it tells. */
+	private void withBetterLengths(final SceneLine line, final SceneWeights weights,
+		final List<Priced> passes) {
+		if (passes.isEmpty())
+			return;
+		final ScenePass best = passes.get(0).pass;
+		new SceneLengths(line, weights).corrected(best, workers)
+			.map(chains -> ScenePass.from(best.start(), chains, line, weights, progress))
+			.ifPresent(again -> passes.add(new Priced(again, again.price(line))));
+		passes.sort(Comparator.comparingDouble(Priced::price));
+	}
+
+	/** The filaments with standard errors of their lengths. */
+	private List<Settled> measured(final SceneLine line, final SceneWeights weights,
+		final List<Settled> filaments) {
+		final List<SceneLengths.Length> lengths = new SceneLengths(line, weights)
+			.of(ScenePass.of(filaments), workers);
+		final List<Settled> measured = new ArrayList<>();
+		for (int k = 0; k < filaments.size(); k++) {
+			final Settled f = filaments.get(k);
+			final double error = lengths.get(k).error();
+			measured.add(new Settled(f.chains(), f.gap(),
+				Double.isFinite(error) ? error : f.lengthError()));
+		}
+		return measured;
 	}
 
 	/** The settled movie if it explains visibly more than the best pass; otherwise that. */

@@ -93,10 +93,10 @@ final class SceneSettler {
 
 	private static Settled path(final Hypotheses filament, final List<double[]> prices,
 		final Progress progress) {
-		final double usual = usualMotion(filament);
+		final double usual = usualMotion(filament.passes().get(0));
 		final TrellisPath path = Trellis.solve(prices, (t, i, u, j) -> {
 			final double motion = filament.at(t).get(i).distance(filament.at(u).get(j)) / usual;
-			return MOTION * (0.2 * motion + 0.7 * Math.max(0, motion - 1)) + (i == j ? 0 : CHANGE);
+			return motion(motion) + (i == j ? 0 : CHANGE);
 		}, progress);
 		final List<Chain> chains = new ArrayList<>();
 		final double[] gap = new double[prices.size()];
@@ -109,11 +109,16 @@ final class SceneSettler {
 		return new Settled(chains, gap, filament.lengthError());
 	}
 
-	private static double usualMotion(final Hypotheses filament) {
-		final List<Chain> first = filament.passes().get(0);
-		final double[] motion = new double[Math.max(0, first.size() - 1)];
+	/** The price of moving by a multiple of what is usual. */
+	static double motion(final double multiple) {
+		return MOTION * (0.2 * multiple + 0.7 * Math.max(0, multiple - 1));
+	}
+
+	/** How far a filament moves between two frames, in pixels: the median. */
+	static double usualMotion(final List<Chain> chains) {
+		final double[] motion = new double[Math.max(0, chains.size() - 1)];
 		for (int t = 0; t < motion.length; t++)
-			motion[t] = first.get(t).distance(first.get(t + 1));
+			motion[t] = chains.get(t).distance(chains.get(t + 1));
 		Arrays.sort(motion);
 		return Math.max(LEAST_MOTION, motion.length == 0 ? 0 : motion[motion.length / 2]);
 	}

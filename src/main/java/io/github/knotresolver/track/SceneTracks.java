@@ -2,7 +2,6 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -44,8 +43,6 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 	/** A free filament that is less sure on average (confidence) may be a clamped one that winds up. */
 	private static final double CREDIBLE = 0.8;
 
-	private static final double LEAST_MOTION = 0.5;
-
 	/** Clamped filaments first, then the longest. */
 	private static final Comparator<Filament> ORDER = Comparator
 		.comparing((Filament f) -> !f.clamped())
@@ -86,7 +83,7 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 		final double[] usual = new double[settled.size()];
 		for (int k = 0; k < usual.length; k++) {
 			observed.add(new ArrayList<>());
-			usual[k] = usualMotion(chains.get(k));
+			usual[k] = SceneSettler.usualMotion(chains.get(k));
 		}
 		final double[] elsewhere = usual.length < 2 ? new double[1] : unclear(clear);
 		final double noise = line.noise();
@@ -144,14 +141,6 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 	public boolean isOneClamped() {
 		return filaments.size() == 1
 			&& (filaments.get(0).clamped() || !filaments.get(0).roams() && filaments.get(0).meanConfidence() < CREDIBLE);
-	}
-
-	private static double usualMotion(final List<Chain> chains) {
-		final double[] motion = new double[Math.max(0, chains.size() - 1)];
-		for (int t = 0; t < motion.length; t++)
-			motion[t] = chains.get(t).distance(chains.get(t + 1));
-		Arrays.sort(motion);
-		return Math.max(LEAST_MOTION, motion.length == 0 ? 0 : motion[motion.length / 2]);
 	}
 
 	private static double haste(final List<Chain> chains, final int t) {

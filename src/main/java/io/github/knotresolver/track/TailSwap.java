@@ -54,7 +54,8 @@ final class TailSwap {
 		this.mismatch = mismatch;
 	}
 
-	private record Pair(Chain a, Chain b, double energy) {
+	/** Two chains instead of two others, and what they cost. */
+	record Pair(Chain a, Chain b, double energy) {
 	}
 
 	/**
@@ -74,7 +75,7 @@ final class TailSwap {
 
 	private void mend(final int i, final int j) {
 		final Chain a = scene.chain(i), b = scene.chain(j);
-		final List<Pair> exchanged = exchanged(a, b);
+		final List<Pair> exchanged = exchanged(a, b, LENGTH);
 		if (exchanged.isEmpty())
 			return;
 		scene.take(i);
@@ -124,8 +125,12 @@ final class TailSwap {
 		return fit.chain();
 	}
 
-	/** All exchanges that both lengths allow. */
-	private List<Pair> exchanged(final Chain a, final Chain b) {
+	/**
+	 * All exchanges that both lengths allow, not priced.
+	 *
+	 * @param tolerance by so much (pixels) lengths may be off
+	 */
+	static List<Pair> exchanged(final Chain a, final Chain b, final double tolerance) {
 		final Polyline p = a.polyline(), q = b.polyline();
 		final List<Pair> all = new ArrayList<>();
 		int from = -1;
@@ -135,7 +140,7 @@ final class TailSwap {
 				from = i;
 			if (!near && from >= 0) {
 				final int middle = (from + i - 1) / 2;
-				exchange(a, b, middle, nearest(p, middle, q), all);
+				exchange(a, b, new int[]{middle, nearest(p, middle, q)}, tolerance, all);
 				from = -1;
 			}
 		}
@@ -154,31 +159,37 @@ final class TailSwap {
 		return Math.hypot(p.x(i) - q.x(k), p.y(i) - q.y(k));
 	}
 
-	private static void exchange(final Chain a, final Chain b, final int i, final int j,
-		final List<Pair> all) {
+	/** Exchanges what is behind a node of each. */
+	private static void exchange(final Chain a, final Chain b, final int[] nodes,
+		final double tolerance, final List<Pair> all) {
+		final int i = nodes[0], j = nodes[1];
 		final List<Point> p = points(a), q = points(b);
 		final List<Point> headA = p.subList(0, i), tailA = p.subList(i, p.size());
 		final List<Point> headB = q.subList(0, j), tailB = q.subList(j, q.size());
-		offer(a, b, joined(headA, tailB), joined(headB, tailA), all);
-		offer(a, b, joined(headA, reversed(headB)), joined(reversed(tailA), tailB), all);
+		all.addAll(pairs(a, b, List.of(joined(headA, tailB), joined(headB, tailA)), tolerance));
+		all.addAll(pairs(a, b,
+			List.of(joined(headA, reversed(headB)), joined(reversed(tailA), tailB)), tolerance));
 	}
 
-	private static void offer(final Chain a, final Chain b, final List<Point> one,
-		final List<Point> other, final List<Pair> all) {
-		if (one.size() < FEWEST_NODES || other.size() < FEWEST_NODES)
-			return;
-		for (final boolean crossed : new boolean[]{false, true}) {
-			final Optional<Chain> first = as(a, crossed ? other : one);
-			final Optional<Chain> second = as(b, crossed ? one : other);
-			if (first.isPresent() && second.isPresent())
-				all.add(new Pair(first.get(), second.get(), 0));
-		}
+	/** Two curves as the two filaments, in both ways. */
+	private static List<Pair> pairs(final Chain a, final Chain b, final List<List<Point>> curves,
+		final double tolerance) {
+		final List<Pair> pairs = new ArrayList<>();
+		if (curves.stream().allMatch(c -> c.size() >= FEWEST_NODES))
+			for (int one = 0; one < 2; one++) {
+				final Optional<Chain> first = as(a, curves.get(one), tolerance);
+				final Optional<Chain> second = as(b, curves.get(1 - one), tolerance);
+				if (first.isPresent() && second.isPresent())
+					pairs.add(new Pair(first.get(), second.get(), 0));
+			}
+		return pairs;
 	}
 
 	/** A curve as the chain of a filament, that runs as it did; empty if it cannot be. */
-	private static Optional<Chain> as(final Chain filament, final List<Point> points) {
+	private static Optional<Chain> as(final Chain filament, final List<Point> points,
+		final double tolerance) {
 		Polyline curve = Polyline.of(points);
-		if (Math.abs(curve.length() - filament.length()) > LENGTH)
+		if (Math.abs(curve.length() - filament.length()) > tolerance)
 			return Optional.empty();
 		if (curve.first().distanceTo(filament.start()) > curve.last().distanceTo(filament.start()))
 			curve = curve.reversed();

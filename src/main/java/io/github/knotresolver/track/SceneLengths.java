@@ -1,0 +1,118 @@
+
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+import org.apache.commons.math3.stat.descriptive.rank.Median;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.geometry.RobustStatistics;
+import io.github.knotresolver.progress.Workers;
+
+/**
+ * How long the filaments of a pass are: in frames spread over the movie, as far as a filament is
+ * clear there, it is fitted once more with its length free and all others drawn. A seed knows
+ * lengths from three frames only, in which ends may lie on other filaments.
+ */
+final class SceneLengths {
+
+	/** In so many frames it is looked, and so many must tell. */
+	private static final int LOOKS = 24, FEWEST = 5;
+
+	/** A length is wrong that is off by more than this (pixels, and relative). */
+	private static final double OFF = 0.5, OFF_SHARE = 0.005;
+
+	private static final int SWEEPS = 2;
+
+	private final SceneLine line;
+	private final SceneWeights weights;
+
+	SceneLengths(final SceneLine line, final SceneWeights weights) {
+		this.line = line;
+		this.weights = weights;
+	}
+
+	/**
+	 * The length of a filament.
+	 *
+	 * @param length in pixels
+	 * @param error its standard error in pixels; NaN if no frame told it
+	 */
+	record Length(double length, double error) {
+	}
+
+	/**
+	 * The filaments where a pass began, as long as they are; empty if the pass had all lengths
+	 * right.
+	 */
+	Optional<List<Chain>> corrected(final ScenePass pass, final Workers workers) {
+		final List<Length> lengths = of(pass, workers);
+		final List<Chain> before = pass.chains().get(pass.start()), chains = new ArrayList<>();
+		boolean isRight = true;
+		for (int k = 0; k < before.size(); k++) {
+			final double length = lengths.get(k).length;
+			final double off = Math.abs(length - before.get(k).length());
+			isRight &= off < Math.max(OFF, OFF_SHARE * length);
+			chains.add(Chain.inScene(before.get(k).polyline(), length));
+		}
+		if (isRight)
+			return Optional.empty();
+		final Scene scene = new Scene(line.frames().get(pass.start()).light(), line.tables(),
+			chains);
+		for (int sweep = 0; sweep < SWEEPS; sweep++)
+			for (int k = 0; k < scene.size(); k++) {
+				final Chain chain = scene.chain(k);
+				scene.take(k);
+				scene.put(k, scene.window(List.of(chain))
+					.fit(chain, Optional.of(chain), weights.tracked()).chain());
+			}
+		return Optional.of(scene.chains());
+	}
+
+	/** The lengths of all filaments; O(filaments) for a frame, in at most 24 frames. */
+	List<Length> of(final ScenePass pass, final Workers workers) {
+		final boolean[][] clear = pass.clear(line, workers);
+		final int n = pass.chains().size(), stride = 1 + (n - 1) / LOOKS;
+		final List<double[]> found = workers.map((n + stride - 1) / stride,
+			i -> lengths(pass, i * stride, clear));
+		final List<Length> all = new ArrayList<>();
+		for (int k = 0; k < pass.filaments(); k++) {
+			final int filament = k;
+			final double[] seen = found.stream().mapToDouble(f -> f[filament])
+				.filter(Double::isFinite).toArray();
+			all.add(seen.length < FEWEST
+				? new Length(pass.chains().get(0).get(k).length(), Double.NaN)
+				: length(seen));
+		}
+		return all;
+	}
+
+	private static Length length(final double[] seen) {
+		final double middle = new Median().evaluate(seen);
+		final double off = new Median()
+			.evaluate(Arrays.stream(seen).map(l -> Math.abs(l - middle)).toArray());
+		return new Length(middle, RobustStatistics.MAD_TO_SD * off
+			* RobustStatistics.MEDIAN_TO_MEAN_ERROR / Math.sqrt(seen.length));
+	}
+
+	/** The lengths in a frame; NaN where a filament is not clear. */
+	private double[] lengths(final ScenePass pass, final int t, final boolean[][] clear) {
+		final Scene scene = new Scene(line.frames().get(t).light(), line.tables(),
+			pass.chains().get(t));
+		final double[] lengths = new double[scene.size()];
+		Arrays.fill(lengths, Double.NaN);
+		for (int k = 0; k < lengths.length; k++)
+			if (clear[k][t]) {
+				final Chain chain = scene.chain(k);
+				scene.take(k);
+				lengths[k] = scene.window(List.of(chain))
+					.fit(chain, Optional.empty(), weights.free()).chain().length();
+				scene.put(k, chain);
+			}
+		return lengths;
+	}
+}
