@@ -342,6 +342,22 @@ public final class Chain {
 	}
 
 	/**
+	 * @param other a chain with as many links
+	 * @return the largest distance of corresponding nodes, in pixels
+	 */
+	public double farthest(final Chain other) {
+		final int n = theta.length + 1;
+		final double[] ax = new double[n], ay = new double[n], bx = new double[n],
+			by = new double[n];
+		nodes(ax, ay);
+		other.nodes(bx, by);
+		double most = 0;
+		for (int i = 0; i < n; i++)
+			most = Math.max(most, Math.hypot(ax[i] - bx[i], ay[i] - by[i]));
+		return most;
+	}
+
+	/**
 	 * O(links of both).
 	 *
 	 * @param other another chain

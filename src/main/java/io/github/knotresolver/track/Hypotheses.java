@@ -21,6 +21,9 @@ record Hypotheses(List<List<Chain>> passes, List<Integer> numbers) {
 	/** Two passes agree in a frame if their curves are this near on average (pixels). */
 	static final double SAME = 3;
 
+	/** Two curves differ visibly whose points (pixels) are somewhere farther from each other. */
+	static final double VISIBLE = 5;
+
 	/** Filaments whose lengths differ by more are not the same. */
 	private static final double LENGTH_SHARE = 0.02, LENGTH = 1;
 

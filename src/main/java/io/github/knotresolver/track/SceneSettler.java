@@ -75,7 +75,7 @@ final class SceneSettler {
 			final List<Chain> chains = filaments.get(k).passes().get(0);
 			final double[] gap = settled.get(k).gap().clone();
 			for (int t = 0; t < gap.length; t++)
-				if (chains.get(t).distance(settled.get(k).chains().get(t)) > Hypotheses.SAME)
+				if (chains.get(t).farthest(settled.get(k).chains().get(t)) > Hypotheses.VISIBLE)
 					gap[t] = 0.5;
 			all.add(new Settled(chains, gap, settled.get(k).lengthError()));
 		}
@@ -104,7 +104,7 @@ final class SceneSettler {
 			final List<Chain> here = filament.at(t);
 			final Chain chosen = here.get(path.choice()[t]);
 			chains.add(chosen);
-			gap[t] = path.gap(t, v -> here.get(v).distance(chosen) > Hypotheses.SAME);
+			gap[t] = path.gap(t, v -> here.get(v).farthest(chosen) > Hypotheses.VISIBLE);
 		}
 		return new Settled(chains, gap, filament.lengthError());
 	}

@@ -3,7 +3,10 @@ package io.github.knotresolver.track;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Fit;
@@ -24,6 +27,9 @@ final class TailExchanges {
 
 	/** What an exchange may cost (strands squared) before it is fitted. */
 	private static final double HOPELESS = 60;
+
+	/** An end that stays (pixels) where two filaments exchange their other ends. */
+	private static final double STAYS = 5;
 
 	/** In fewer frames an exchange is not looked at. */
 	private static final int FEWEST = 2;
@@ -58,14 +64,14 @@ final class TailExchanges {
 
 	private void check(final List<Settled> filaments, final int i, final int j) {
 		final int n = line.frames().size();
-		final List<Optional<Exchanged>> others = new ArrayList<>();
+		final List<List<Exchanged>> others = new ArrayList<>();
 		int possible = 0;
 		for (int t = 0; t < n; t++) {
-			final Optional<Exchanged> other = mayTouch(filaments, i, j, t)
+			final List<Exchanged> other = mayTouch(filaments, i, j, t)
 				? exchanged(filaments, i, j, t)
-				: Optional.empty();
+				: List.<Exchanged>of();
 			others.add(other);
-			possible += other.isPresent() ? 1 : 0;
+			possible += other.isEmpty() ? 0 : 1;
 		}
 		if (possible >= FEWEST)
 			decide(filaments, i, j, others);
@@ -78,8 +84,8 @@ final class TailExchanges {
 			&& !TailSwap.exchanged(a, b, LENGTH).isEmpty();
 	}
 
-	/** The best exchange in a frame that shows. */
-	private Optional<Exchanged> exchanged(final List<Settled> filaments, final int i, final int j,
+	/** The best exchanges in a frame that show: of the tails, and of the heads. */
+	private List<Exchanged> exchanged(final List<Settled> filaments, final int i, final int j,
 		final int t) {
 		final Chain a = filaments.get(i).chains().get(t), b = filaments.get(j).chains().get(t);
 		final List<Chain> here = new ArrayList<>();
@@ -89,24 +95,40 @@ final class TailExchanges {
 		scene.take(i);
 		scene.take(j);
 		final double before = price(scene, j, a, b);
-		TailSwap.Pair best = null;
-		for (final TailSwap.Pair p : TailSwap.exchanged(a, b, LENGTH))
-			if (p.a().distance(a) > Hypotheses.SAME && p.b().distance(b) > Hypotheses.SAME) {
-				final double energy = price(scene, j, p.a(), p.b());
-				if (energy < (best == null ? before + HOPELESS : best.energy()))
-					best = new TailSwap.Pair(p.a(), p.b(), energy);
-			}
-		if (best == null)
-			return Optional.empty();
-		scene.put(j, best.b());
-		final Chain first = fit(scene, best.a());
+		TailSwap.Pair tails = null, heads = null;
+		for (final TailSwap.Pair p : TailSwap.exchanged(a, b, LENGTH)) {
+			if (!shows(p.a(), a) || !shows(p.b(), b))
+				continue;
+			final double energy = price(scene, j, p.a(), p.b());
+			final boolean keepsHeads = p.a().start().distanceTo(a.start()) < STAYS
+				&& p.b().start().distanceTo(b.start()) < STAYS;
+			final TailSwap.Pair best = keepsHeads ? tails : heads;
+			if (energy >= (best == null ? before + HOPELESS : best.energy()))
+				continue;
+			final TailSwap.Pair better = new TailSwap.Pair(p.a(), p.b(), energy);
+			if (keepsHeads)
+				tails = better;
+			else
+				heads = better;
+		}
+		return Stream.of(tails, heads).filter(Objects::nonNull)
+			.map(p -> fitted(scene, i, j, p, before))
+			.filter(e -> shows(e.a, a) && shows(e.b, b)).toList();
+	}
+
+	private static boolean shows(final Chain other, final Chain chain) {
+		return other.farthest(chain) > Hypotheses.VISIBLE;
+	}
+
+	private Exchanged fitted(final Scene scene, final int i, final int j,
+		final TailSwap.Pair start, final double before) {
+		scene.put(j, start.b());
+		final Chain first = fit(scene, start.a());
 		scene.take(j);
 		scene.put(i, first);
-		final Chain second = fit(scene, best.b());
+		final Chain second = fit(scene, start.b());
 		scene.take(i);
-		return first.distance(a) < Hypotheses.SAME || second.distance(b) < Hypotheses.SAME
-			? Optional.empty()
-			: Optional.of(new Exchanged(first, second, price(scene, j, first, second) - before));
+		return new Exchanged(first, second, price(scene, j, first, second) - before);
 	}
 
 	private double price(final Scene scene, final int j, final Chain a, final Chain b) {
@@ -125,11 +147,12 @@ final class TailExchanges {
 
 	/** The cheapest course through both possibilities. */
 	private void decide(final List<Settled> filaments, final int i, final int j,
-		final List<Optional<Exchanged>> others) {
+		final List<List<Exchanged>> others) {
 		final Settled first = filaments.get(i), second = filaments.get(j);
 		final List<double[]> prices = new ArrayList<>();
-		for (final Optional<Exchanged> other : others)
-			prices.add(other.isEmpty() ? new double[1] : new double[]{0, other.get().more});
+		for (final List<Exchanged> other : others)
+			prices.add(DoubleStream.concat(DoubleStream.of(0), other.stream().mapToDouble(e -> e.more))
+				.toArray());
 		final double usualFirst = SceneSettler.usualMotion(first.chains());
 		final double usualSecond = SceneSettler.usualMotion(second.chains());
 		final TrellisPath path = Trellis.solve(prices,
@@ -154,11 +177,11 @@ final class TailExchanges {
 		filaments.set(j, new Settled(b, gapB, second.lengthError()));
 	}
 
-	private static Chain chain(final Settled filament, final List<Optional<Exchanged>> others,
+	private static Chain chain(final Settled filament, final List<List<Exchanged>> others,
 		final int t, final int which, final boolean isFirst) {
 		if (which == 0)
 			return filament.chains().get(t);
-		final Exchanged other = others.get(t).orElseThrow();
+		final Exchanged other = others.get(t).get(which - 1);
 		return isFirst ? other.a : other.b;
 	}
 }
