@@ -137,6 +137,7 @@ public final class SceneResolver {
 		for (int t = 0; t < line.frames().size(); t++)
 			progress.sighted(line.frames().get(t).frame(),
 				pass.chains().get(t).stream().map(Chain::contour).toList());
+	}
 
 	/** The best pass once more, with the lengths that it tells. */
 	private void withBetterLengths(final SceneLine line, final SceneWeights weights,
