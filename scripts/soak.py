@@ -5,7 +5,6 @@ import os
 import re
 import shlex
 import shutil
-import signal
 import statistics
 import subprocess
 import sys
@@ -84,7 +83,7 @@ def main():
             tidy(out)
             if failed:
                 sys.exit('A row failed; the rows are all alike.')
-        process.send_signal(signal.SIGINT)
+        process.terminate()
         process.wait()
         third = len(seen) // 3
         middle, last = seen[third:2 * third], seen[2 * third:]

@@ -20,6 +20,8 @@ final class MovieMemory {
 	private static final long ALWAYS = 64L << 20;
 	/** Most that was measured for a pixel of a frame: the movie, its evidence and what is drawn. */
 	private static final long BYTES_A_PIXEL = 67;
+	/** With so much, a movie of any length runs: what does not fit is left in its file. */
+	private static final long ENOUGH = 8L << 30;
 	/** How much smaller a film or a picture without losses is than its pixels, seldom more. */
 	private static final long PACKED = 8;
 
@@ -46,7 +48,7 @@ final class MovieMemory {
 	 */
 	static long of(final Path movie) {
 		try {
-			return ALWAYS + BYTES_A_PIXEL * pixels(movie);
+			return Math.min(ENOUGH, ALWAYS + BYTES_A_PIXEL * pixels(movie));
 		} catch (final IOException | UserException e) {
 			return ALWAYS;
 		}
