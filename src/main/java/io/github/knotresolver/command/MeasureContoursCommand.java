@@ -134,8 +134,7 @@ public class MeasureContoursCommand extends KnotCommand {
 		if (Interpreter.isBatchMode() || IJ.isMacro())
 			items.forEach(i -> MeasureWindow.showTable(i, image));
 		if (Interpreter.isBatchMode())
-			items.forEach(
-				i -> LiveFigure.of(i.measurements()).forEach(LiveFigure::showInImageJ));
+			items.forEach(i -> LiveFigure.of(i.measurements()).forEach(LiveFigure::showInImageJ));
 		else
 			SwingUtilities.invokeLater(() -> MeasureWindow.open(name(), items, image));
 	}

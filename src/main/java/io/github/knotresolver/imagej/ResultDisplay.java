@@ -88,8 +88,9 @@ public final class ResultDisplay {
 				? roi.getName() != null && roi.getName().startsWith(RoiConverter.PREFIX)
 				: owner.equals(image.getTitle());
 			if (ours && RoiContours.isLine(roi) && RoiContours.frame(roi, image) > 0)
-				contours.add(new Constraint(RoiContours.filament(roi), RoiContours.frame(roi, image),
-					Constraint.Kind.CONTOUR, RoiContours.contour(roi)));
+				contours
+					.add(new Constraint(RoiContours.filament(roi), RoiContours.frame(roi, image),
+						Constraint.Kind.CONTOUR, RoiContours.contour(roi)));
 		}
 		return contours;
 	}

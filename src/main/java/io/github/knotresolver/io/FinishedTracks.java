@@ -62,8 +62,8 @@ public final class FinishedTracks {
 				frame = (int) frames.number(row, "frame");
 			if (frame < 1 || frame > size)
 				throw new IllegalArgumentException("frame " + frame);
-			observed.computeIfAbsent(filament, f -> new Observation[size])[frame
-				- 1] = observation(row, filament, frame);
+			observed.computeIfAbsent(filament, f -> new Observation[size])[frame - 1] = observation(
+				row, filament, frame);
 		}
 		final List<FilamentTrack> tracks = new ArrayList<>();
 		for (final CsvRow row : filaments.rows()) {

@@ -68,9 +68,10 @@ final class Exchanges {
 
 	private static void requireFree(final FilamentTrack track, final int frame) {
 		if (track.anchor() == Anchor.CLAMPED)
-			throw new UserException("Filament " + track.id() + " is held at its first end, which stays"
-				+ " where it is, so it cannot be exchanged from frame " + frame
-				+ " on; draw the contours of the frames that are wrong.");
+			throw new UserException(
+				"Filament " + track.id() + " is held at its first end, which stays"
+					+ " where it is, so it cannot be exchanged from frame " + frame
+					+ " on; draw the contours of the frames that are wrong.");
 	}
 
 	/** The one before the frame, and the other from it on. */
@@ -98,8 +99,8 @@ final class Exchanges {
 
 	private static boolean isAgainst(final List<Observation> head, final List<Observation> tail) {
 		final Optional<Polyline> last = head.stream().flatMap(o -> o.contour().stream())
-			.reduce((a, b) -> b), next = tail.stream().flatMap(o -> o.contour().stream())
-				.findFirst();
+			.reduce((a, b) -> b),
+			next = tail.stream().flatMap(o -> o.contour().stream()).findFirst();
 		return last.isPresent() && next.isPresent()
 			&& apart(last.get(), next.get().reversed()) < apart(last.get(), next.get());
 	}
@@ -111,9 +112,7 @@ final class Exchanges {
 	private static List<Observation> turned(final List<Observation> frames) {
 		final Function<Alternative, Alternative> turn = a -> new Alternative(a.contour().reversed(),
 			a.cost());
-		return frames.stream()
-			.map(o -> o.contour().map(c -> o.withContour(c.reversed())).orElse(o)
-				.withAlternatives(o.alternatives().stream().map(turn).toList()))
-			.toList();
+		return frames.stream().map(o -> o.contour().map(c -> o.withContour(c.reversed())).orElse(o)
+			.withAlternatives(o.alternatives().stream().map(turn).toList())).toList();
 	}
 }

@@ -111,8 +111,8 @@ final class SolvedMovie {
 			? of(scene.get(), notes)
 			: List.of(one(told, notes, workers, progress));
 		told.constraints().forEach(c -> requireFilament(c, filaments.size()));
-		final List<FilamentTrack> exchanged = Exchanges.in(
-			filaments.stream().map(prepared.pixels()::out).toList(), told.constraints());
+		final List<FilamentTrack> exchanged = Exchanges
+			.in(filaments.stream().map(prepared.pixels()::out).toList(), told.constraints());
 		notes.addAll(Verdict.on(exchanged));
 		return new Tracks(movie, told,
 			exchanged.stream().map(f -> given(f, told.constraints())).toList(), notes);
@@ -130,8 +130,8 @@ final class SolvedMovie {
 		told.constraints().forEach(c -> requireFilament(c, 1));
 		final Found found = single.orElseThrow()
 			.resolve(
-				prepared.pixels().in(told.constraints().stream()
-					.filter(c -> c.kind().isOfContour()).toList()),
+				prepared.pixels()
+					.in(told.constraints().stream().filter(c -> c.kind().isOfContour()).toList()),
 				workers, new PlacedProgress(progress, prepared.pixels()::out))
 			.orElseThrow(() -> nothingFound(movie, told));
 		if (found.frames().stream().allMatch(f -> f.contour().isEmpty()))
@@ -208,11 +208,11 @@ final class SolvedMovie {
 	}
 
 	private static UserException nothingFound(final Movie movie, final Settings settings) {
-		return new UserException("No filament was found in '" + movie.name()
-			+ "': no line can be followed in any frame"
-			+ settings.fixedEnd()
-				.map(end -> " from fixed_end " + end
-					+ "; check this point and the channel, or set a threshold.")
-				.orElse("; check the channel, tell fixed_end, or set a threshold."));
+		return new UserException(
+			"No filament was found in '" + movie.name() + "': no line can be followed in any frame"
+				+ settings.fixedEnd()
+					.map(end -> " from fixed_end " + end
+						+ "; check this point and the channel, or set a threshold.")
+					.orElse("; check the channel, tell fixed_end, or set a threshold."));
 	}
 }

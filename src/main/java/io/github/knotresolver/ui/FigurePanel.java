@@ -80,9 +80,9 @@ final class FigurePanel extends JPanel {
 		if (chooser.showSaveDialog(this) != JFileChooser.APPROVE_OPTION)
 			return;
 		final Path file = chooser.getSelectedFile().toPath();
-		if (Files.exists(file) && JOptionPane.showConfirmDialog(this,
-			"Replace " + file.getFileName() + "?", "Save",
-			JOptionPane.YES_NO_OPTION) != JOptionPane.YES_OPTION)
+		if (Files.exists(file)
+			&& JOptionPane.showConfirmDialog(this, "Replace " + file.getFileName() + "?", "Save",
+				JOptionPane.YES_NO_OPTION) != JOptionPane.YES_OPTION)
 			return;
 		try {
 			figure.save(file);
@@ -109,10 +109,9 @@ final class FigurePanel extends JPanel {
 
 				@Override
 				public void mouseMoved(final MouseEvent e) {
-					setCursor(
-						Cursor.getPredefinedCursor(figure.frameAt(e.getPoint()).isPresent()
-							? Cursor.HAND_CURSOR
-							: Cursor.DEFAULT_CURSOR));
+					setCursor(Cursor.getPredefinedCursor(figure.frameAt(e.getPoint()).isPresent()
+						? Cursor.HAND_CURSOR
+						: Cursor.DEFAULT_CURSOR));
 				}
 			};
 			addMouseListener(mouse);

@@ -45,7 +45,9 @@ public record LiveResult(Tracks tracks, KeptSession session, Map<String, String>
 	 * @return its result; empty if there is none, or not any more
 	 */
 	public static synchronized Optional<LiveResult> of(final ImagePlus image) {
-		return image != null && image == lastImage.get() ? Optional.ofNullable(last) : Optional.empty();
+		return image != null && image == lastImage.get()
+			? Optional.ofNullable(last)
+			: Optional.empty();
 	}
 
 	private static synchronized void forget(final ImagePlus image) {

@@ -104,8 +104,7 @@ public final class MeasureWindow {
 		final Dimension screen = GUI.getMaxWindowBounds(window).getSize();
 		window.setSize(Math.min(screen.width, window.getWidth()),
 			Math.min(screen.height, window.getHeight()));
-		window.setMinimumSize(
-			new Dimension(2 * window.getWidth() / 3, 3 * window.getHeight() / 4));
+		window.setMinimumSize(new Dimension(2 * window.getWidth() / 3, 3 * window.getHeight() / 4));
 		if (WindowManager.getFrame(window.getTitle()) instanceof JFrame earlier) {
 			window.setLocation(earlier.getLocation());
 			WindowManager.removeWindow(earlier);

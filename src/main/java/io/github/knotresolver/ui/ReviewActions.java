@@ -115,8 +115,8 @@ final class ReviewActions {
 			model.exchange(others.get(0));
 		else {
 			final JPopupMenu menu = new JPopupMenu();
-			others.forEach(id -> menu.add("Filament " + id)
-				.addActionListener(e -> model.exchange(id)));
+			others.forEach(
+				id -> menu.add("Filament " + id).addActionListener(e -> model.exchange(id)));
 			menu.show(place, 0, place.getHeight());
 		}
 	}

@@ -260,8 +260,8 @@ public final class ReviewedResult implements AutoCloseable {
 		final StringBuilder line = new StringBuilder("run(\"Resolve Filament...\", \"")
 			.append(file().map(f -> "movie=" + path(f))
 				.orElseGet(() -> "image=[" + model.movie().name() + "]"));
-		given.forEach((key, value) -> line.append(' ').append(key).append('=')
-			.append(quoted(value)));
+		given.forEach(
+			(key, value) -> line.append(' ').append(key).append('=').append(quoted(value)));
 		if (file.isPresent())
 			line.append(' ').append(CORRECTIONS).append('=').append(path(corrections()));
 		return line.append(" out=").append(path(folder.orElseThrow()))

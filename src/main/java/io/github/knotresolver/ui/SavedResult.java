@@ -47,10 +47,13 @@ final class SavedResult {
 		final JFileChooser chooser = new JFileChooser();
 		chooser.setDialogTitle("A new folder for the result");
 		chooser.setFileSelectionMode(JFileChooser.DIRECTORIES_ONLY);
-		chooser.setSelectedFile(result.file()
-			.map(f -> f.resolveSibling(
-				f.getFileName().toString().replaceFirst("[.][^.]*$", "") + "-result").toFile())
-			.orElse(new File(result.name() + "-result")));
+		chooser
+			.setSelectedFile(result.file()
+				.map(f -> f
+					.resolveSibling(
+						f.getFileName().toString().replaceFirst("[.][^.]*$", "") + "-result")
+					.toFile())
+				.orElse(new File(result.name() + "-result")));
 		if (chooser.showSaveDialog(parent) != JFileChooser.APPROVE_OPTION)
 			return false;
 		result.chooseFolder(chooser.getSelectedFile().toPath());

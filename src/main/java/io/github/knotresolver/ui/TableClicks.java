@@ -57,8 +57,9 @@ public final class TableClicks {
 			if (row < 0 || row >= panel.getLineCount())
 				return;
 			final String headings = panel.getColumnHeadings(), line = panel.getLine(row);
-			number(headings, line, FRAME).ifPresent(frame -> ShownFrame.goTo(
-				movie.get().orElse(null), number(headings, line, FILAMENT).orElse(filament), frame));
+			number(headings, line, FRAME)
+				.ifPresent(frame -> ShownFrame.goTo(movie.get().orElse(null),
+					number(headings, line, FILAMENT).orElse(filament), frame));
 		}
 	}
 

@@ -31,8 +31,8 @@ final class FilmGif implements AutoCloseable {
 
 	/** Adds a picture that is shown for so many tenths of a second. */
 	void add(final BufferedImage picture, final int tenths) throws IOException {
-		final IIOMetadata data = writer.getDefaultImageMetadata(
-			ImageTypeSpecifier.createFromRenderedImage(picture), null);
+		final IIOMetadata data = writer
+			.getDefaultImageMetadata(ImageTypeSpecifier.createFromRenderedImage(picture), null);
 		final IIOMetadataNode root = (IIOMetadataNode) data.getAsTree(FORMAT);
 		final IIOMetadataNode control = child(root, "GraphicControlExtension");
 		control.setAttribute("disposalMethod", "none");

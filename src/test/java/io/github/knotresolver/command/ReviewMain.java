@@ -40,8 +40,8 @@ import io.github.knotresolver.io.ContourInput;
 final class ReviewMain {
 
 	static final List<String> STEPS = List.of("opened", "click", "doubtful", "withdrawn",
-		"mended in three clicks", "chosen",
-		"undone", "dragged", "tip", "saved", "recorded", "closed", "image closed");
+		"mended in three clicks", "chosen", "undone", "dragged", "tip", "saved", "recorded",
+		"closed", "image closed");
 
 	/** The frame that the correction spoils. */
 	static final int SPOILED = 7;

@@ -100,8 +100,8 @@ final class TourMain {
 		Windows.press(Windows.dialog("Review Result...", "Result"), "OK");
 		window = frame("Review noisy-result");
 		window.setLocation(10, image.getWindow().getHeight() + 20);
-		Windows.await("ready", () -> find("headline") instanceof JLabel l
-			&& l.getText().contains("resolved"));
+		Windows.await("ready",
+			() -> find("headline") instanceof JLabel l && l.getText().contains("resolved"));
 		IJ.setTool(Toolbar.HAND);
 		shot(8);
 		press("Next doubtful");

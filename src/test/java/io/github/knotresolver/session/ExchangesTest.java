@@ -32,8 +32,8 @@ class ExchangesTest {
 	private static FilamentTrack track(final int id, final Anchor anchor, final double length) {
 		final List<Observation> frames = new ArrayList<>();
 		for (int t = 1; t <= FRAMES; t++)
-			frames.add(new Observation(t, FrameStatus.RESOLVED, "", Optional.of(line(id, t, length)),
-				0, 1, 0, 0.9));
+			frames.add(new Observation(t, FrameStatus.RESOLVED, "",
+				Optional.of(line(id, t, length)), 0, 1, 0, 0.9));
 		return new FilamentTrack(id, anchor, Optional.empty(), length, 1, frames);
 	}
 

@@ -139,9 +139,8 @@ final class ReactionMain {
 	}
 
 	private static long cpu() {
-		return ManagementFactory
-			.getOperatingSystemMXBean() instanceof OperatingSystemMXBean system
-				? system.getProcessCpuTime()
-				: 0;
+		return ManagementFactory.getOperatingSystemMXBean() instanceof OperatingSystemMXBean system
+			? system.getProcessCpuTime()
+			: 0;
 	}
 }

@@ -138,9 +138,10 @@ class ReviewedResultTest {
 			assertThrows(UserException.class, () -> review.chooseFolder(result));
 			review.chooseFolder(fresh);
 			review.save(Progress.NONE);
-			assertEquals("run(\"Resolve Filament...\", \"movie=[" + movie
-				+ "] frames=1-5 corrections=[" + fresh.resolve(CorrectionsCsv.FILE) + "] out=["
-				+ fresh + "] force\");", review.macroLine());
+			assertEquals(
+				"run(\"Resolve Filament...\", \"movie=[" + movie + "] frames=1-5 corrections=["
+					+ fresh.resolve(CorrectionsCsv.FILE) + "] out=[" + fresh + "] force\");",
+				review.macroLine());
 			review.model().goTo(4);
 			review.model().accept();
 			review.save(Progress.NONE);

@@ -13,8 +13,7 @@ class TableClicksTest {
 
 	@Test
 	void aRowTellsFrameAndFilament() {
-		assertEquals(OptionalInt.of(12),
-			TableClicks.number(HEADINGS, "3\t12\t5.500\t2", "frame"));
+		assertEquals(OptionalInt.of(12), TableClicks.number(HEADINGS, "3\t12\t5.500\t2", "frame"));
 		assertEquals(OptionalInt.of(2),
 			TableClicks.number(HEADINGS, "3\t12\t5.500\t2.000", "filament"));
 		assertEquals(OptionalInt.empty(), TableClicks.number(HEADINGS, "3\t\t5.5\t", "filament"));

@@ -83,8 +83,8 @@ public final class LiveFigure {
 			return;
 		final Rectangle2D data = drawn.getPlotInfo().getDataArea();
 		final XYPlot plot = (XYPlot) chart.getPlot();
-		final int x = (int) Math.rint(plot.getDomainAxis().valueToJava2D(
-			measurements.times()[frame - 1], data, plot.getDomainAxisEdge()));
+		final int x = (int) Math.rint(plot.getDomainAxis()
+			.valueToJava2D(measurements.times()[frame - 1], data, plot.getDomainAxisEdge()));
 		g.setColor(ChartStyle.ACCENT);
 		g.drawLine(x, (int) data.getMinY(), x, (int) data.getMaxY());
 	}

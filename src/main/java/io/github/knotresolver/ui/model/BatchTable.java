@@ -132,6 +132,7 @@ public final class BatchTable {
 		final int doubtful = counts.stream().flatMap(Optional::stream)
 			.mapToInt(c -> c.doubtful() + c.lost()).sum();
 		return size() - failed + " of " + size() + " movies have a result, with " + doubtful
-			+ " frames to look at." + (failed > 0 ? " Why others failed is in the last column." : "");
+			+ " frames to look at."
+			+ (failed > 0 ? " Why others failed is in the last column." : "");
 	}
 }

@@ -142,8 +142,9 @@ abstract class ResultView {
 
 	/** @return whether a frame was accepted, or its contour is as a person said */
 	public synchronized boolean isChecked(final int wanted) {
-		return track().filter(
-			t -> tracks.orElseThrow().isChecked(filament, t.frames().get(wanted - 1))).isPresent();
+		return track()
+			.filter(t -> tracks.orElseThrow().isChecked(filament, t.frames().get(wanted - 1)))
+			.isPresent();
 	}
 
 	/**

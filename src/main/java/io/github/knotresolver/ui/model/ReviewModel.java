@@ -261,9 +261,8 @@ public final class ReviewModel extends ResultView implements AutoCloseable {
 		@Override
 		public void answered(final List<Constraint> said, final Tracks answer) {
 			change(said, () -> {
-				show(answer.saying(said()),
-					tracks().filter(t -> ready).map(before -> Changes.between(before, answer))
-						.orElse(new TreeSet<>()));
+				show(answer.saying(said()), tracks().filter(t -> ready)
+					.map(before -> Changes.between(before, answer)).orElse(new TreeSet<>()));
 				ready = true;
 				solved = history;
 				rest();

@@ -38,8 +38,7 @@ record Words(Tracks tracks, FilamentTrack filament, int frame) {
 	/** @return the contour passes here; in a scene, that which is shown is bent to do so */
 	Constraint through(final Point place) {
 		return isScene()
-			? word(Kind.CONTOUR,
-				Drag.nearest(shown(), place).to(place))
+			? word(Kind.CONTOUR, Drag.nearest(shown(), place).to(place))
 			: word(Kind.THROUGH, Polyline.of(List.of(place)));
 	}
 
@@ -58,9 +57,8 @@ record Words(Tracks tracks, FilamentTrack filament, int frame) {
 	}
 
 	private Polyline shown() {
-		return seen().contour()
-			.orElseThrow(() -> new UserException("Filament " + filament.id()
-				+ " has no contour in frame " + frame + " that could be moved; draw the contour."));
+		return seen().contour().orElseThrow(() -> new UserException("Filament " + filament.id()
+			+ " has no contour in frame " + frame + " that could be moved; draw the contour."));
 	}
 
 	/** @return what is shown is right, even if there is nothing */
@@ -83,7 +81,8 @@ record Words(Tracks tracks, FilamentTrack filament, int frame) {
 			if (f.anchor() == Anchor.CLAMPED)
 				throw new UserException("Filament " + f.id()
 					+ " is held at its first end, which stays where it is, so it cannot be exchanged; draw the contour.");
-		return word(Kind.SWAP, Polyline.of(List.of(farthest(mine, theirs), farthest(theirs, mine))));
+		return word(Kind.SWAP,
+			Polyline.of(List.of(farthest(mine, theirs), farthest(theirs, mine))));
 	}
 
 	private static Point farthest(final Polyline curve, final Polyline from) {

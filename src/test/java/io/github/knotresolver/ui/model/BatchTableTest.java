@@ -29,10 +29,9 @@ class BatchTableTest {
 	private BatchOutcome finished(final String name, final boolean byHand, final String... frames)
 		throws IOException {
 		final Path folder = Files.createDirectory(out.resolve(name));
-		Files.writeString(folder.resolve("frames.csv"), "frame,status,confidence,checked\n"
-			+ String.join("\n", frames) + "\n");
-		Files.writeString(folder.resolve("filaments.csv"),
-			"filament,length,unit\n1,18.3061,µm\n");
+		Files.writeString(folder.resolve("frames.csv"),
+			"frame,status,confidence,checked\n" + String.join("\n", frames) + "\n");
+		Files.writeString(folder.resolve("filaments.csv"), "filament,length,unit\n1,18.3061,µm\n");
 		return new BatchOutcome(row(name, byHand), Status.FINISHED, Optional.of(name),
 			name + ".tif: fine.");
 	}

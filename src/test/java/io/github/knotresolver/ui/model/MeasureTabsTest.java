@@ -18,7 +18,7 @@ class MeasureTabsTest {
 				List.of("curvature_kymograph"), "Other spectra", List.of("length_spectrum")),
 			MeasureTabs.of(List.of("contours", "curvature_kymograph", "end_to_end", "length",
 				"tip_angle", "tip_angle_spectrum", "length_spectrum")));
-		assertEquals(List.of("Contours", "Kymographs"), List.copyOf(
-			MeasureTabs.of(List.of("curvature_kymograph", "contours")).keySet()));
+		assertEquals(List.of("Contours", "Kymographs"),
+			List.copyOf(MeasureTabs.of(List.of("curvature_kymograph", "contours")).keySet()));
 	}
 }

@@ -178,16 +178,15 @@ class ReviewModelTest {
 				final int frame = t, number = id;
 				final boolean swapped = said.stream()
 					.filter(c -> c.kind() == Kind.SWAP && c.frame() <= frame).count() % 2 == 1;
-				final Optional<Polyline> given = said.stream()
-					.filter(c -> c.frame() == frame && c.filament() == number
-						&& c.kind() == Kind.CONTOUR)
+				final Optional<Polyline> given = said.stream().filter(
+					c -> c.frame() == frame && c.filament() == number && c.kind() == Kind.CONTOUR)
 					.map(Constraint::shape).findFirst();
 				frames.add(new Observation(t,
 					given.isPresent() ? FrameStatus.CORRECTED : FrameStatus.RESOLVED, "",
 					Optional.of(given.orElse(line(id == 1 == swapped ? 20 : 3))), 0, 1, 0, 0.8));
 			}
-			filaments.add(
-				new FilamentTrack(id, Anchor.FREE, Optional.empty(), 29, Double.NaN, frames));
+			filaments
+				.add(new FilamentTrack(id, Anchor.FREE, Optional.empty(), 29, Double.NaN, frames));
 		}
 		return new Tracks(MOVIE, Settings.DEFAULT.edit().constraints(said).build(), filaments,
 			List.of());
@@ -252,8 +251,10 @@ class ReviewModelTest {
 	void contoursThatWereChangedElsewhereAreTakenOverInOneStep() throws InterruptedException {
 		try (ReviewModel model = model((said, progress) -> two(said))) {
 			final List<Constraint> shown = List.of(
-				new Constraint(1, 2, Kind.CONTOUR, Polyline.of(List.of(new Point(1.004, 3), new Point(30, 3)))),
-				new Constraint(1, 3, Kind.CONTOUR, line(4)), new Constraint(2, 5, Kind.CONTOUR, line(19)),
+				new Constraint(1, 2, Kind.CONTOUR,
+					Polyline.of(List.of(new Point(1.004, 3), new Point(30, 3)))),
+				new Constraint(1, 3, Kind.CONTOUR, line(4)),
+				new Constraint(2, 5, Kind.CONTOUR, line(19)),
 				new Constraint(9, 5, Kind.CONTOUR, line(19)));
 			assertEquals(2, model.takeOver(shown));
 			assertEquals(4, row(model, 1, 3));

@@ -62,8 +62,7 @@ class ReviewSceneTest {
 			new Session(drawn.movie(), SETTINGS)::solve, List.of())) {
 			final Tracks before = model.atRest();
 			assertEquals(2, before.filaments().size());
-			final int meeting = model.meetings().getOrDefault(2, new TreeSet<>(List.of(0)))
-				.first();
+			final int meeting = model.meetings().getOrDefault(2, new TreeSet<>(List.of(0))).first();
 			assertTrue(meeting > 1, "They cross in " + meeting);
 			model.goTo(4);
 			model.exchange(2);
