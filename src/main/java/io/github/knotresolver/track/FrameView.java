@@ -87,6 +87,11 @@ public record FrameView(int frame, NormalizedFrame light, Supplier<Img<BitType>>
 			Optional.empty());
 	}
 
+	/** The same frame with other light. */
+	FrameView withLight(final NormalizedFrame other) {
+		return new FrameView(frame, other, mask, graph, evidence);
+	}
+
 	/**
 	 * @param widening how many times as wide as usual lines are
 	 * @param brightness of a strand, which becomes 1
