@@ -41,9 +41,9 @@ public record Spots(double[] light) {
 	 */
 	public static double[] residual(final NormalizedFrame frame, final LineModel model,
 		final Chain chain) {
-		final double[] left = Neighbourhood.draw(frame, model, chain);
+		final double[] left = ChainPixels.draw(frame, model, chain), pixels = frame.pixels();
 		for (int i = 0; i < left.length; i++)
-			left[i] = frame.residual(i, left[i], model);
+			left[i] = frame.residual(i, pixels[i], left[i], model);
 		return left;
 	}
 
@@ -147,7 +147,7 @@ public record Spots(double[] light) {
 				ceiling[i] = NOTHING_SEEN * strand;
 			}
 		}
-		return new NormalizedFrame(frame.width(), frame.height(), pixels, ceiling,
-			frame.widening());
+		return new NormalizedFrame(frame.width(), frame.height(), pixels).withCeiling(ceiling)
+			.withWidening(frame.widening());
 	}
 }

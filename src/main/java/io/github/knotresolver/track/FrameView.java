@@ -89,7 +89,7 @@ public record FrameView(int frame, NormalizedFrame light, Supplier<Img<BitType>>
 
 	/** The same frame with other light. */
 	FrameView withLight(final NormalizedFrame other) {
-		return new FrameView(frame, other, mask, graph, evidence);
+		return new FrameView(frame, other, masks, graph, evidence);
 	}
 
 	/**

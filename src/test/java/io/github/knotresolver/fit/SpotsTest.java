@@ -28,7 +28,7 @@ class SpotsTest {
 	}
 
 	private static double[] line() {
-		return Neighbourhood.draw(new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]), LINE,
+		return ChainPixels.draw(new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]), LINE,
 			Chain.along(Polyline.of(List.of(new Point(12, 20), new Point(48, 33))), 20, 38));
 	}
 
@@ -48,9 +48,9 @@ class SpotsTest {
 		final NormalizedFrame rest = Spots.in(bead(20), SIGMA, List.of(), NEAR)
 			.takenOff(bead(20), 1);
 		final int middle = MIDDLE * SIZE + MIDDLE;
-		assertEquals(0, rest.residual(middle, 0));
-		assertEquals(0, rest.residual(middle, 1));
-		assertEquals(-1, rest.residual(0, 1), "far away it is known that nothing is there");
+		assertEquals(0, rest.residual(middle, rest.pixels()[middle], 0));
+		assertEquals(0, rest.residual(middle, rest.pixels()[middle], 1));
+		assertEquals(-1, rest.residual(0, rest.pixels()[0], 1), "far away it is known that nothing is there");
 	}
 
 	@Test
