@@ -16,7 +16,8 @@ import io.github.knotresolver.progress.Cancellation;
  * Bright spots that stay where they are while the filament moves: beads, dirt. They are looked
  * for in what the resolved movie leaves unexplained all the time, and only what is round is
  * taken for one: a line that is left unexplained is a filament that was missed, and must go on
- * speaking against a contour. Light that lies at the fixed end is the filament's.
+ * speaking against a contour. Light that lies at the fixed end is the filament's. Where lines
+ * are cut off, what is left of them says too little.
  */
 final class StillSpots {
 
@@ -51,7 +52,8 @@ final class StillSpots {
 		final LineModel model = pools.course().estimate().model();
 		final int[] known = IntStream.range(0, chains.size())
 			.filter(t -> chains.get(t).isPresent()).toArray();
-		if (known.length < FEWEST || model.kind() != LineModel.Kind.ADDITIVE)
+		if (known.length < FEWEST || model.kind() != LineModel.Kind.ADDITIVE
+			|| pools.light().get(0).isClipped())
 			return Optional.empty();
 		final List<double[]> left = new ArrayList<>();
 		final int stride = 1 + (known.length - 1) / MOST;
