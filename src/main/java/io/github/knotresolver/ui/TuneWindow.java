@@ -86,7 +86,10 @@ public final class TuneWindow implements ImageListener {
 		EventThread.run(() -> new TuneWindow(model, image, channel, use).build());
 	}
 
-	/** @return the frame that an image shows, from 1 */
+	/**
+	 * @param image an image
+	 * @return the frame that it shows, from 1
+	 */
 	public static int frame(final ImagePlus image) {
 		return ImageLink.frame(image);
 	}
