@@ -111,7 +111,7 @@ class RunOptionsTest {
 		"threshold|NaN|threshold must be a number from 0 to 1, or otsu, but is 'NaN'.",
 		"iterations|2.5|iterations must be a whole number, but is '2.5'.",
 		"iterations|-1|iterations must be from 0 to 1000, but is -1.",
-		"contraction_bias|2|contraction_bias must be from -1 to 1, but is 2.0.",
+		"contraction_bias|2|contraction_bias must be from -1 to 1, but is 2.",
 		"smooth_factor|a|smooth_factor must be a number, but is 'a'.",
 		"log_size|9|log_size and log_sigma go together, but only log_size was given.",
 		"candidates|all|candidates must be paper or trails, but is 'all'.",
