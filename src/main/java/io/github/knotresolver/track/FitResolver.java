@@ -88,21 +88,8 @@ public final class FitResolver {
 	 */
 	public Optional<FitSolver> learn(final List<FrameView> frames, final Point fixedEnd,
 		final OptionalDouble length) {
-		return look(frames, fixedEnd, length, possible(frames)).map(seen -> {
-			final FitPools pools = pools(seen.frames, seen.course);
-			final FitSolver first = new FitSolver(pools);
-			return StillSpots.without(frames, pools, first.chosen(progress))
-				.flatMap(f -> look(f, fixedEnd, length,
-					EnumSet.of(seen.course.estimate().model().kind())))
-				.map(again -> new FitSolver(pools(again.frames, again.course))).orElse(first);
-		});
-	}
-
-	/** Where it is known what was cut off, lines that add up can be told, too. */
-	private Set<LineModel.Kind> possible(final List<FrameView> frames) {
-		return frames.stream().anyMatch(f -> f.light().isClipped())
-			? EnumSet.allOf(LineModel.Kind.class)
-			: kinds;
+		return look(frames, fixedEnd, length)
+			.map(seen -> new FitSolver(pools(seen.frames, seen.course)));
 	}
 
 	/**
@@ -126,8 +113,7 @@ public final class FitResolver {
 	 */
 	public Optional<Refined> refine(final List<FrameView> frames,
 		final Map<Integer, Polyline> contours, final Point fixedEnd, final OptionalDouble length) {
-		return look(frames, fixedEnd, length, possible(frames))
-			.map(seen -> refined(seen, contours));
+		return look(frames, fixedEnd, length).map(seen -> refined(seen, contours));
 	}
 
 	private Refined refined(final Seen seen, final Map<Integer, Polyline> contours) {
@@ -152,7 +138,7 @@ public final class FitResolver {
 	}
 
 	private Optional<Seen> look(final List<FrameView> frames, final Point fixedEnd,
-		final OptionalDouble length, final Set<LineModel.Kind> possible) {
+		final OptionalDouble length) {
 		final AnchorPath ends = AnchorPath.follow(frames, fixedEnd, progress);
 		final List<CandidateSet> first = candidates(frames, ends::at, t -> OptionalDouble.empty());
 		final List<FrameView> focused = Focus.known(frames, first);
@@ -168,7 +154,7 @@ public final class FitResolver {
 		final List<Sighting> sightings = Sightings.choose(steady, first);
 		return sightings.isEmpty()
 			? Optional.empty()
-			: estimate(sightings, fixedEnd, length, possible, endsFree).map(e -> new Seen(steady,
+			: estimate(sightings, fixedEnd, length, endsFree).map(e -> new Seen(steady,
 				course(steady, first, e, ends, length, endsFree)
 					.withNoise(Calming.noise(focused, workers) / e.amplitude())));
 	}
@@ -213,9 +199,12 @@ public final class FitResolver {
 	}
 
 	private Optional<FilamentEstimate> estimate(final List<Sighting> sightings,
-		final Point fixedEnd, final OptionalDouble length, final Set<LineModel.Kind> possible,
-		final FitSettings endsFree) {
+		final Point fixedEnd, final OptionalDouble length, final FitSettings endsFree) {
 		progress.report("Learning what the filament looks like", 0);
+		// Of what was cut off it is known where: lines that add up can be told, too.
+		final Set<LineModel.Kind> possible = sightings.stream().anyMatch(s -> s.frame().isClipped())
+			? EnumSet.allOf(LineModel.Kind.class)
+			: kinds;
 		return FilamentEstimator.estimate(sightings, possible, endsFree, workers, progress)
 			.map(e -> length.isPresent() ? e.withLength(length.getAsDouble()) : e)
 			.map(e -> e.fixedEnd().distanceTo(fixedEnd) > GraphTuning.NEAR_CLAMP

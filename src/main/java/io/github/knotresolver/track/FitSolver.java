@@ -4,12 +4,10 @@ import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 
-import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.progress.Progress;
@@ -59,12 +57,6 @@ public final class FitSolver {
 			pools.sets(), this::look).solve(said, progress);
 		return new Resolved(course.estimate(), solved.frames(), solved.evidence(),
 			course.withLength(course.length().settled(solved.lengths())).notes(pools.frames()));
-	}
-
-	/** The curves that are chosen as long as the user says nothing. */
-	List<Optional<Chain>> chosen(final Progress progress) {
-		return new FitTrellis(pools.frames(), pools.light(), pools.course(), pools.fits(),
-			pools.sets(), this::look).solve(Map.of(), progress).chains();
 	}
 
 	private SortedMap<Integer, Restriction> byFrame(final List<Constraint> constraints) {

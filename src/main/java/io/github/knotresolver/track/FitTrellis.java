@@ -9,7 +9,6 @@ import java.util.function.BiFunction;
 import java.util.stream.IntStream;
 
 import io.github.knotresolver.candidate.CandidateSet;
-import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitQuality;
 import io.github.knotresolver.fit.NormalizedFrame;
@@ -51,16 +50,10 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 	 *
 	 * @param frames one for each frame
 	 * @param evidence what can be seen of each frame's contour; empty where there is none
-	 * @param chains the chosen chains; empty where there is none
+	 * @param lengths of the chosen chains in pixels; NaN where there is none
 	 */
 	record Solved(List<Observation> frames, List<Optional<FitEvidence>> evidence,
-		List<Optional<Chain>> chains) {
-
-		/** Lengths of the chosen chains in pixels; NaN where there is none. */
-		double[] lengths() {
-			return chains.stream()
-				.mapToDouble(c -> c.map(Chain::length).orElse(Double.NaN)).toArray();
-		}
+		double[] lengths) {
 	}
 
 	/**
@@ -95,10 +88,9 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 		}
 		return new Solved(tracked, evidence,
 			IntStream.range(0, pools.size())
-				.mapToObj(t -> path.choice()[t] < 0
-					? Optional.<Chain>empty()
-					: Optional.of(chosen(t, path).chain()))
-				.toList());
+				.mapToDouble(
+					t -> path.choice()[t] < 0 ? Double.NaN : chosen(t, path).chain().length())
+				.toArray());
 	}
 
 	private Observation tracked(final int t, final TrellisPath path,

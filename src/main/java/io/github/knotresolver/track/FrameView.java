@@ -87,11 +87,6 @@ public record FrameView(int frame, NormalizedFrame light, Supplier<Img<BitType>>
 			Optional.empty());
 	}
 
-	/** The same frame with other light. */
-	FrameView withLight(final NormalizedFrame other) {
-		return new FrameView(frame, other, masks, graph, evidence);
-	}
-
 	/**
 	 * @param widening how many times as wide as usual lines are
 	 * @param brightness of a strand, which becomes 1
