@@ -55,7 +55,7 @@ public final class FilamentEstimator {
 			.map(kind -> learn(seen, kind, endsFree, workers, progress)).toList();
 		return learned.stream().filter(Learned::isLine)
 			.filter(l -> kinds.size() == 1 || l.isPlausible())
-			.min(Comparator.comparingDouble(l -> l.line.unexplained())).map(Learned::summary);
+			.min(Comparator.comparingDouble(Learned::misfit)).map(Learned::summary);
 	}
 
 	/** A line and the curves that were fitted with it. */
@@ -75,6 +75,10 @@ public final class FilamentEstimator {
 			return examples.get(0).frame().isClipped()
 				? !additive || line.unexplained() < WELL
 				: additive || line.model().power() > FitTuning.FLAT_POWER;
+		}
+
+		double misfit() {
+			return line.misfit(examples);
 		}
 
 		FilamentEstimate summary() {

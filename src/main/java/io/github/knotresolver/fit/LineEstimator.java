@@ -64,6 +64,18 @@ public final class LineEstimator {
 	public record Estimate(LineModel model, double amplitude, double background, double residual,
 		double unexplained) {
 
+		/**
+		 * By which lines are compared. Where pixels were cut off, amplitudes differ so much that
+		 * residuals in their unit do not tell; elsewhere that unit keeps a line whose brightness
+		 * falls along it as narrow as it is.
+		 *
+		 * @param examples to which the line was fitted
+		 * @return the lower, the better
+		 */
+		double misfit(final List<Example> examples) {
+			return isClipped(examples) ? unexplained : residual;
+		}
+
 		/** @return whether the line differs from its background at all */
 		boolean isVisible() {
 			return Double.isFinite(amplitude) && amplitude != 0;
@@ -98,7 +110,7 @@ public final class LineEstimator {
 		final double[] guess = additive ? new double[]{sigma} : new double[]{sigma, 1.5};
 		final double[] spread = additive ? new double[]{0.3} : new double[]{0.3, 0.4};
 		final double[] best = new SimplexSearch(1e-4, 1e-6, FitTuning.SEARCH_STEPS, progress)
-			.lowest(p -> fit(examples, model(kind, p)).unexplained + outside(p), guess, spread);
+			.lowest(p -> fit(examples, model(kind, p)).misfit(examples) + outside(p), guess, spread);
 		return fit(examples, model(kind, best));
 	}
 
@@ -132,10 +144,14 @@ public final class LineEstimator {
 		Estimate line = fit(examples, pictures,
 			new Estimate(model, 1, 0, Double.NaN, Double.NaN));
 		if (model.kind() == LineModel.Kind.ADDITIVE
-			&& examples.stream().anyMatch(e -> e.frame.isClipped()))
+			&& isClipped(examples))
 			for (int round = 0; round < CLIPPED_ROUNDS && line.isVisible(); round++)
 				line = fit(examples, pictures, line);
 		return line;
+	}
+
+	private static boolean isClipped(final List<Example> examples) {
+		return examples.stream().anyMatch(e -> e.frame.isClipped());
 	}
 
 	private static Estimate fit(final List<Example> examples, final List<double[]> pictures,

@@ -4,6 +4,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
+import org.apache.commons.math3.stat.descriptive.rank.Median;
+
 import io.github.knotresolver.candidate.Candidate;
 import io.github.knotresolver.candidate.CandidateSet;
 import io.github.knotresolver.contour.ContourBuilder;
@@ -46,6 +48,9 @@ record OpenFrames(List<Seen> seen) {
 
 	/** Without an open frame in so many, crossed ones are taken. */
 	private static final int LONG = 8;
+
+	/** A crossed frame says something new if its length differs so much (relative): a break. */
+	private static final double BROKEN = 0.2;
 
 	/** A fit that runs in the dark for a larger share is none. */
 	private static final double DARK = 0.15;
@@ -90,7 +95,21 @@ record OpenFrames(List<Seen> seen) {
 				? clear(sets.get(t)).filter(c -> !isOpen(c))
 					.flatMap(c -> fitted(t, frames, light, c, estimate, endsFree))
 				: seen.get(t));
-		return new OpenFrames(more.stream().flatMap(Optional::stream).toList());
+		return new OpenFrames(more.stream().flatMap(Optional::stream).toList()).withoutSameAgain();
+	}
+
+	/**
+	 * Without crossed frames that are about as long as the open ones: these know the length
+	 * better, since a dim tip that lies on the filament is missed and hardly any light with it.
+	 */
+	private OpenFrames withoutSameAgain() {
+		final double[] open = seen.stream().filter(s -> !s.crossed && s.isWhole())
+			.mapToDouble(s -> s.chain.length()).toArray();
+		if (open.length == 0)
+			return this;
+		final double usual = new Median().evaluate(open);
+		return new OpenFrames(seen.stream()
+			.filter(s -> !s.crossed || Math.abs(s.chain.length() / usual - 1) > BROKEN).toList());
 	}
 
 	/** The best trail if it runs from a free end to a free end and leaves nothing out. */
