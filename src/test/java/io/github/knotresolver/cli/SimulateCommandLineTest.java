@@ -127,7 +127,7 @@ class SimulateCommandLineTest {
 		"--bits|12|must be 8 or 16, but is 12; choose one of them.",
 		"--pixel-size|0|must be 0.005 to 10 µm, but is 0; choose a value in that range.",
 		"--margin|-1|must be 0 to 1000, but is -1; choose a value in that range.",
-		"--time-step|NaN|must be 1.0E-5 to 0.1 s, but is NaN; choose a value in that range.",
+		"--time-step|NaN|must be 0.00001 to 0.1 s, but is NaN; choose a value in that range.",
 		"--warm-up|-1|must be 0 to 100000 s, but is -1; choose a value in that range.",
 		"--motor-stiffness|0|must be 1 to 10000 pN/µm, but is 0; choose a value in that range."})
 	@ParameterizedTest
