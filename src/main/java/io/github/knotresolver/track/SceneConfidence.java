@@ -44,7 +44,7 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 	private static final double SURE = 0.9;
 
 	/** A contour is no surer than those of so many frames before and after it. */
-	private static final int NEIGHBOURS = 2;
+	private static final int NEIGHBOURS = 5;
 
 	/** What lowers a confidence, in the order of {@link #factors}. */
 	private static final List<String> WORDS = List.of(

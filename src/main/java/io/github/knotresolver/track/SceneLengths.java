@@ -26,6 +26,10 @@ final class SceneLengths {
 	/** A length is wrong that is off by more than this (pixels, and relative). */
 	private static final double OFF = 0.5, OFF_SHARE = 0.005;
 
+	/** A step of a length (pixels, and standard deviations), with so many lengths on each side. */
+	private static final double STEP = 1.2, CLEARLY = 4;
+	private static final int FEWEST_ASIDE = 4;
+
 	private static final int SWEEPS = 2;
 
 	private final SceneLine line;
@@ -41,8 +45,10 @@ final class SceneLengths {
 	 *
 	 * @param length in pixels
 	 * @param error its standard error in pixels; NaN if no frame told it
+	 * @param changes whether it is another one before some frame than after it: halves of two
+	 *          filaments that have been exchanged show so, however well each frame is explained
 	 */
-	record Length(double length, double error) {
+	record Length(double length, double error, boolean changes) {
 	}
 
 	/**
@@ -85,7 +91,7 @@ final class SceneLengths {
 			final double[] seen = found.stream().mapToDouble(f -> f[filament])
 				.filter(Double::isFinite).toArray();
 			all.add(seen.length < FEWEST
-				? new Length(pass.chains().get(0).get(k).length(), Double.NaN)
+				? new Length(pass.chains().get(0).get(k).length(), Double.NaN, false)
 				: length(seen));
 		}
 		return all;
@@ -96,7 +102,26 @@ final class SceneLengths {
 		final double off = new Median()
 			.evaluate(Arrays.stream(seen).map(l -> Math.abs(l - middle)).toArray());
 		return new Length(middle, RobustStatistics.MAD_TO_SD * off
-			* RobustStatistics.MEDIAN_TO_MEAN_ERROR / Math.sqrt(seen.length));
+			* RobustStatistics.MEDIAN_TO_MEAN_ERROR / Math.sqrt(seen.length), changes(seen));
+	}
+
+	/** Whether lengths in order of time are others from somewhere on. */
+	static boolean changes(final double[] seen) {
+		for (int from = FEWEST_ASIDE; from <= seen.length - FEWEST_ASIDE; from++) {
+			final double[] before = Arrays.copyOf(seen, from);
+			final double[] after = Arrays.copyOfRange(seen, from, seen.length);
+			final double step = Math
+				.abs(new Median().evaluate(after) - new Median().evaluate(before));
+			if (step > STEP && step > CLEARLY * Math.max(scatter(before), scatter(after)))
+				return true;
+		}
+		return false;
+	}
+
+	private static double scatter(final double[] lengths) {
+		final double middle = new Median().evaluate(lengths);
+		return RobustStatistics.MAD_TO_SD * new Median()
+			.evaluate(Arrays.stream(lengths).map(l -> Math.abs(l - middle)).toArray());
 	}
 
 	/** The lengths in a frame; NaN where a filament is not clear. */

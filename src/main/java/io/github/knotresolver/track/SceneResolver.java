@@ -2,6 +2,7 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -31,6 +32,9 @@ public final class SceneResolver {
 
 	/** Less than this share of what a pass leaves unexplained is visibly less. */
 	private static final double VISIBLY = 0.8;
+
+	/** Confidence of a filament whose length changes: which of its frames are right, is open. */
+	private static final double DOUBT = 0.5;
 
 	private final Set<LineModel.Kind> kinds;
 	private final Workers workers;
@@ -151,7 +155,7 @@ public final class SceneResolver {
 		passes.sort(Comparator.comparingDouble(Priced::price));
 	}
 
-	/** The filaments with standard errors of their lengths. */
+	/** The filaments with standard errors of their lengths, in doubt where a length changes. */
 	private List<Settled> measured(final SceneLine line, final SceneWeights weights,
 		final List<Settled> filaments) {
 		final List<SceneLengths.Length> lengths = new SceneLengths(line, weights)
@@ -160,10 +164,16 @@ public final class SceneResolver {
 		for (int k = 0; k < filaments.size(); k++) {
 			final Settled f = filaments.get(k);
 			final double error = lengths.get(k).error();
-			measured.add(new Settled(f.chains(), f.gap(),
+			final double[] gap = lengths.get(k).changes() ? inDoubt(f.gap()) : f.gap();
+			measured.add(new Settled(f.chains(), gap,
 				Double.isFinite(error) ? error : f.lengthError()));
 		}
 		return measured;
+	}
+
+	private static double[] inDoubt(final double[] gap) {
+		final double most = SceneConfidence.gapOf(DOUBT);
+		return Arrays.stream(gap).map(g -> Math.min(g, most)).toArray();
 	}
 
 	/** The settled movie if it explains visibly more than the best pass; otherwise that. */

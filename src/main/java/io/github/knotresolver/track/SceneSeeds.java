@@ -29,6 +29,12 @@ final class SceneSeeds {
 	/** A seed that is worth less than this share of the best is none. */
 	private static final double WORTH = 0.7;
 
+	/** One of fewer filaments, if this share: pieces of a filament last as long as it does. */
+	private static final double FEWER = 0.4;
+
+	/** A seed that is worth this much needs no help from what is known. */
+	private static final double SOUND = 0.9;
+
 	private final SceneLine line;
 	private final SceneWeights weights;
 
@@ -82,9 +88,10 @@ final class SceneSeeds {
 	}
 
 	/**
-	 * Where to start from next: a good seed well apart in time, or with another number of
-	 * filaments, from those that were used; if filaments are known already, the best of the
-	 * frames in which most of the light is theirs.
+	 * Where to start from next: once, one of fewer filaments, which explain as much if the first
+	 * one has taken pieces for filaments; then a good seed well apart in time, or with another number of
+	 * filaments, from those that were used; if filaments are known already and no such seed is
+	 * sound by itself, the best of the frames in which most of the light is theirs.
 	 *
 	 * @param first the seeds of the movie, the best first
 	 * @param used from which it was started already, at least one
@@ -93,9 +100,19 @@ final class SceneSeeds {
 	 */
 	Optional<SceneSeed> next(final List<SceneSeed> first, final List<SceneSeed> used,
 		final ScenePool pool, final Workers workers, final Progress progress) {
-		if (pool.isEmpty())
-			return first.stream().filter(s -> s.worth() >= WORTH * first.get(0).worth())
-				.filter(s -> isAnother(s, used)).findFirst();
+		final Optional<SceneSeed> fewer = first.stream()
+			.filter(s -> used.size() == 1 && used.get(0).worth() >= SOUND
+				&& s.chains().size() < used.get(0).chains().size())
+			.filter(s -> s.worth() >= FEWER * first.get(0).worth()).findFirst();
+		if (fewer.isPresent())
+			return fewer;
+		final double enough = pool.isEmpty()
+			? WORTH * first.get(0).worth()
+			: Math.max(SOUND, WORTH * first.get(0).worth());
+		final Optional<SceneSeed> another = first.stream().filter(s -> s.worth() >= enough)
+			.filter(s -> isAnother(s, used)).findFirst();
+		if (pool.isEmpty() || another.isPresent())
+			return another;
 		final List<Integer> frames = first.stream().map(SceneSeed::frame)
 			.filter(t -> used.stream().noneMatch(u -> u.frame() == t))
 			.filter(t -> pool.coverage(t) < ALL).sorted(Comparator.comparingDouble(pool::coverage).reversed()).limit(AGAIN).toList();

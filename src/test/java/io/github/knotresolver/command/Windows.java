@@ -1,5 +1,6 @@
 package io.github.knotresolver.command;
 
+import java.lang.reflect.InvocationTargetException;
 import java.awt.Button;
 import java.awt.Component;
 import java.awt.Container;
@@ -58,7 +59,7 @@ final class Windows {
 			return !found.isEmpty();
 		});
 		final String text = text(found.get(0)).strip();
-		found.get(0).dispose();
+		dispose(found.get(0));
 		// The Command ends, and is recorded, after its message is gone.
 		Thread.sleep(300);
 		closeDialogs();
@@ -68,7 +69,16 @@ final class Windows {
 
 	static void closeDialogs() {
 		dialogs().toList().forEach(d -> press(d, "Cancel"));
-		dialogs().toList().forEach(Dialog::dispose);
+		dialogs().toList().forEach(Windows::dispose);
+	}
+
+	/** By the thread of events: from another one, what is disposed twice is waited for without end. */
+	private static void dispose(final Dialog dialog) {
+		try {
+			EventQueue.invokeAndWait(dialog::dispose);
+		} catch (final InterruptedException | InvocationTargetException e) {
+			throw new IllegalStateException(e);
+		}
 	}
 
 	static Stream<Dialog> dialogs() {

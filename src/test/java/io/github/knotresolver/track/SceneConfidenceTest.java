@@ -36,14 +36,14 @@ class SceneConfidenceTest {
 
 	@Test
 	void noContourIsSurerThanThoseShortlyBeforeAndAfterIt() {
-		final double[] confidence = {1, 1, 1, 0.4, 1, 0.95, 1, 1, 1, 1};
+		final double[] confidence = {1, 1, 1, 0.4, 1, 0.95, 1, 1, 1, 1, 1, 1};
 		final List<Observation> together = SceneConfidence.together(IntStream
 			.range(0, confidence.length).mapToObj(t -> seen(t + 1, confidence[t])).toList());
-		final double[] expected = {1, 0.4, 0.4, 0.4, 0.4, 0.4, 0.95, 0.95, 1, 1};
+		final double[] expected = {0.4, 0.4, 0.4, 0.4, 0.4, 0.4, 0.4, 0.4, 0.4, 0.95, 0.95, 1};
 		for (int t = 0; t < expected.length; t++)
 			assertEquals(expected[t], together.get(t).confidence(), "frame " + (t + 1));
 		assertTrue(together.get(2).reason().startsWith("Doubtful"), together.get(2).reason());
-		assertEquals("", together.get(7).reason());
+		assertEquals("", together.get(11).reason());
 	}
 
 	@Test
