@@ -112,7 +112,7 @@ final class SceneLengths {
 			final double[] after = Arrays.copyOfRange(seen, from, seen.length);
 			final double step = Math
 				.abs(new Median().evaluate(after) - new Median().evaluate(before));
-			if (step > STEP && step > CLEARLY * Math.max(scatter(before), scatter(after)))
+			if (step > STEP && step > CLEARLY * Math.min(scatter(before), scatter(after)))
 				return true;
 		}
 		return false;

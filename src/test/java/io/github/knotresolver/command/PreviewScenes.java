@@ -55,9 +55,9 @@ final class PreviewScenes {
 		final double automatic = area(image);
 		Windows.type(dialog, "Threshold", "0.9");
 		Windows.await("another mask", () -> area(image) > 0 && area(image) < automatic);
-		click(component(dialog, "preview"));
+		toggle(dialog, "preview");
 		Windows.await("no preview", () -> image.getOverlay() == mine);
-		click(component(dialog, "preview"));
+		toggle(dialog, "preview");
 		seen(dialog, image, 5);
 		Windows.press(dialog, "Cancel");
 		Windows.await("end", () -> image.getOverlay() == mine && !dialog.isShowing());
@@ -168,6 +168,18 @@ final class PreviewScenes {
 		robot.keyPress(key);
 		robot.keyRelease(key);
 		robot.waitForIdle();
+	}
+
+	/** Clicks once more if the dialog has grown by a line under the pointer. */
+	private void toggle(final Dialog dialog, final String name) throws Exception {
+		final JCheckBox box = (JCheckBox) component(dialog, name);
+		final boolean before = box.isSelected();
+		Windows.await(name + " to change", () -> {
+			click(box);
+			for (int wait = 0; wait < 100 && box.isSelected() == before; wait++)
+				Thread.sleep(20);
+			return box.isSelected() != before;
+		});
 	}
 
 	private void click(final Component component) {

@@ -25,6 +25,14 @@ class SceneLengthsTest {
 	}
 
 	@Test
+	void aStepShowsWhereLengthsScatterOnOneSideOnly() {
+		final double[] lengths = lengths(0);
+		for (int i = 0; i < 7; i++)
+			lengths[i] += 1 + i % 3;
+		assertTrue(SceneLengths.changes(lengths));
+	}
+
+	@Test
 	void fewLengthsSayNothing() {
 		assertFalse(SceneLengths.changes(new double[]{100, 100, 100, 110, 110, 110}));
 	}
