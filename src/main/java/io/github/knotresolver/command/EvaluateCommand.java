@@ -132,9 +132,8 @@ public class EvaluateCommand extends KnotCommand {
 	}
 
 	private LikeStudy study(final Path original, final Progress progress) {
-		return LikeRun.study(
-			LikeRun.source(like.toPath(), original, ImageSource::of, progress), Engine.PIPELINE,
-			progress);
+		return LikeRun.study(LikeRun.source(like.toPath(), original, ImageSource::of, progress),
+			Engine.PIPELINE, progress);
 	}
 
 	private static Path path(final String key, final File given) {

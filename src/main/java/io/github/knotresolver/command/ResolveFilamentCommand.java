@@ -267,8 +267,8 @@ public class ResolveFilamentCommand extends KnotCommand {
 
 	private Outcome intoFolder(final ResolveRun run, final ImageSource source,
 		final RunModel progress) throws IOException {
-		try (ResultFolder folder = ResultFolder.reserve(out.toPath(), ResultKind.RESOLVED_MOVIE, force,
-			run.files(source))) {
+		try (ResultFolder folder = ResultFolder.reserve(out.toPath(), ResultKind.RESOLVED_MOVIE,
+			force, run.files(source))) {
 			return resolve(run, source, new FolderSink(folder, source, plots), progress);
 		}
 	}

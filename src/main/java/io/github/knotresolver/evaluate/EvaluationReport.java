@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-
 /** An evaluation in a few lines, for people. */
 public final class EvaluationReport {
 

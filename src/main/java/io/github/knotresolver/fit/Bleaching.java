@@ -36,7 +36,9 @@ public record Bleaching(double rate) {
 			return NONE;
 		Arrays.sort(slopes, 0, count);
 		final double rate = -slopes[count / 2];
-		return Math.abs(rate) * (brightness.length - 1) < FitTuning.BLEACHED ? NONE : new Bleaching(rate);
+		return Math.abs(rate) * (brightness.length - 1) < FitTuning.BLEACHED
+			? NONE
+			: new Bleaching(rate);
 	}
 
 	/** Frames with a known brightness; if they are many, some that are spread evenly. */
@@ -45,8 +47,9 @@ public record Bleaching(double rate) {
 			.toArray();
 		return all.length <= FitTuning.BLEACHING_FRAMES
 			? all
-			: IntStream.range(0, FitTuning.BLEACHING_FRAMES)
-				.map(i -> all[(int) ((long) i * (all.length - 1) / (FitTuning.BLEACHING_FRAMES - 1))]).toArray();
+			: IntStream.range(0, FitTuning.BLEACHING_FRAMES).map(
+				i -> all[(int) ((long) i * (all.length - 1) / (FitTuning.BLEACHING_FRAMES - 1))])
+				.toArray();
 	}
 
 	/**

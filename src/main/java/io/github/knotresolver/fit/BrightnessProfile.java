@@ -37,7 +37,8 @@ final class BrightnessProfile {
 			add(example, line, matrix, right);
 		if (!noticeable(solved(matrix, right)))
 			return new double[]{1};
-		hold(matrix, right, -(1 - FitTuning.PROFILE_PULL) * FitTuning.PROFILE_HOLD * examples.size());
+		hold(matrix, right,
+			-(1 - FitTuning.PROFILE_PULL) * FitTuning.PROFILE_HOLD * examples.size());
 		holdStraight(matrix, FitTuning.PROFILE_HOLD * examples.size());
 		final double[] profile = solved(matrix, right);
 		noticeable(profile);

@@ -76,7 +76,8 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 		final double length = chain.length(), piece = Math.min(piece(), length / 4);
 		final Chain shorter = chain.resized(length - piece);
 		final Window window = new Window(shorter.tip(), shorter);
-		return window.piece(shorter.tip(), chain.angle(Math.max(0, chain.links() - FitTuning.END_LINKS)));
+		return window.piece(shorter.tip(),
+			chain.angle(Math.max(0, chain.links() - FitTuning.END_LINKS)));
 	}
 
 	/**

@@ -62,7 +62,8 @@ public final class FilamentEstimator {
 	private record Learned(List<Example> examples, Estimate line) {
 
 		boolean isLine() {
-			return line.amplitude() > 0 && line.residual() < 1 && line.model().sigma() < FitTuning.WIDEST_LINE;
+			return line.amplitude() > 0 && line.residual() < 1
+				&& line.model().sigma() < FitTuning.WIDEST_LINE;
 		}
 
 		/**
@@ -114,13 +115,15 @@ public final class FilamentEstimator {
 
 	private static Estimate line(final List<Example> examples, final LineModel.Kind kind,
 		final double sigma, final Progress progress) {
-		return LineEstimator.estimate(examples.subList(0, Math.min(FitTuning.LINE_EXAMPLES, examples.size())),
-			kind, sigma, progress);
+		return LineEstimator.estimate(
+			examples.subList(0, Math.min(FitTuning.LINE_EXAMPLES, examples.size())), kind, sigma,
+			progress);
 	}
 
 	/** Fits the examples again; those that come from skeletons first as stiff filaments. */
 	private static List<Example> refit(final List<Example> examples, final Estimate line,
-		final FitSettings endsFree, final boolean fromSkeletons, final Workers workers, final Progress progress) {
+		final FitSettings endsFree, final boolean fromSkeletons, final Workers workers,
+		final Progress progress) {
 		return workers.map(examples.size(), i -> {
 			progress.checkCancelled();
 			final Example e = examples.get(i);
@@ -159,8 +162,8 @@ public final class FilamentEstimator {
 		final double[] lengths = examples.stream().mapToDouble(e -> e.chain().length()).sorted()
 			.toArray();
 		final double middle = median(lengths);
-		final double[] good = Arrays.stream(lengths).filter(l -> Math.abs(l / middle - 1) < FitTuning.LENGTH_OUTLIER)
-			.toArray();
+		final double[] good = Arrays.stream(lengths)
+			.filter(l -> Math.abs(l / middle - 1) < FitTuning.LENGTH_OUTLIER).toArray();
 		final double length = good.length == 0 ? middle : median(good);
 		final double[] off = Arrays.stream(good).map(l -> Math.abs(l - length)).sorted().toArray();
 		final double error = good.length < FitTuning.FEWEST_VOTES

@@ -110,17 +110,20 @@ public final class LineEstimator {
 		final double[] guess = additive ? new double[]{sigma} : new double[]{sigma, 1.5};
 		final double[] spread = additive ? new double[]{0.3} : new double[]{0.3, 0.4};
 		final double[] best = new SimplexSearch(1e-4, 1e-6, FitTuning.SEARCH_STEPS, progress)
-			.lowest(p -> fit(examples, model(kind, p)).misfit(examples) + outside(p), guess, spread);
+			.lowest(p -> fit(examples, model(kind, p)).misfit(examples) + outside(p), guess,
+				spread);
 		return fit(examples, model(kind, best));
 	}
 
 	private static LineModel model(final LineModel.Kind kind, final double[] p) {
-		return LineModel.uniform(kind, clamp(p[0], FitTuning.SMALLEST_WIDTH, FitTuning.LARGEST_WIDTH),
+		return LineModel.uniform(kind,
+			clamp(p[0], FitTuning.SMALLEST_WIDTH, FitTuning.LARGEST_WIDTH),
 			p.length > 1 ? clamp(p[1], FitTuning.SMALLEST_POWER, FitTuning.LARGEST_POWER) : 1);
 	}
 
 	private static double outside(final double[] p) {
-		double off = Math.abs(p[0] - clamp(p[0], FitTuning.SMALLEST_WIDTH, FitTuning.LARGEST_WIDTH));
+		double off = Math
+			.abs(p[0] - clamp(p[0], FitTuning.SMALLEST_WIDTH, FitTuning.LARGEST_WIDTH));
 		if (p.length > 1)
 			off += Math.abs(p[1] - clamp(p[1], FitTuning.SMALLEST_POWER, FitTuning.LARGEST_POWER));
 		return off;
@@ -141,10 +144,8 @@ public final class LineEstimator {
 		final List<double[]> pictures = examples.stream()
 			.map(e -> ChainPixels.draw(e.frame(), model, e.chains())).toList();
 		// Where the line as it is known is cut off, pixels do not say how bright it is.
-		Estimate line = fit(examples, pictures,
-			new Estimate(model, 1, 0, Double.NaN, Double.NaN));
-		if (model.kind() == LineModel.Kind.ADDITIVE
-			&& isClipped(examples))
+		Estimate line = fit(examples, pictures, new Estimate(model, 1, 0, Double.NaN, Double.NaN));
+		if (model.kind() == LineModel.Kind.ADDITIVE && isClipped(examples))
 			for (int round = 0; round < CLIPPED_ROUNDS && line.isVisible(); round++)
 				line = fit(examples, pictures, line);
 		return line;
@@ -157,7 +158,8 @@ public final class LineEstimator {
 	private static Estimate fit(final List<Example> examples, final List<double[]> pictures,
 		final Estimate known) {
 		final boolean believes = known.model.kind() != LineModel.Kind.ADDITIVE;
-		double all = 0, sumAll = 0, squareAll = 0, n = 0, sumM = 0, sumI = 0, sumMM = 0, sumMI = 0, sumII = 0;
+		double all = 0, sumAll = 0, squareAll = 0, n = 0, sumM = 0, sumI = 0, sumMM = 0, sumMI = 0,
+			sumII = 0;
 		for (int k = 0; k < pictures.size(); k++) {
 			final Example example = examples.get(k);
 			final double[] pixels = example.frame.pixels();
@@ -167,8 +169,7 @@ public final class LineEstimator {
 					all++;
 					sumAll += pixels[i];
 					squareAll += pixels[i] * pixels[i];
-					if (!believes && known.isHidden(example.frame, i, pixels[i],
-						picture[i]))
+					if (!believes && known.isHidden(example.frame, i, pixels[i], picture[i]))
 						continue;
 					n++;
 					sumM += picture[i];

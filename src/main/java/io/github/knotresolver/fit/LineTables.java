@@ -46,8 +46,7 @@ public final class LineTables {
 			final double k = 1 / (2 * key.sigma * key.sigma), p = key.power;
 			// Shifted by a thousandth, so that the price has no step where the band ends.
 			final double rim = Math.exp(-Math.pow(k * reach * reach, p));
-			return new Curves(
-				new Table(reach * reach, d2 -> Math.exp(-Math.pow(k * d2, p)) - rim),
+			return new Curves(new Table(reach * reach, d2 -> Math.exp(-Math.pow(k * d2, p)) - rim),
 				new Table(reach * reach, d2 -> -p * k * Math.pow(Math.max(k * d2, 1e-9), p - 1)
 					* Math.exp(-Math.pow(k * d2, p))));
 		}
@@ -61,9 +60,8 @@ public final class LineTables {
 		this.model = model;
 		this.robust = robust;
 		reach = model.kind() == LineModel.Kind.ADDITIVE
-			? model.sigma() * (robust == Robust.TOGETHER
-				? FitTuning.SCENE_REACH
-				: FitTuning.ADDITIVE_REACH)
+			? model.sigma()
+				* (robust == Robust.TOGETHER ? FitTuning.SCENE_REACH : FitTuning.ADDITIVE_REACH)
 			: model.reach();
 		final Key key = new Key(model.kind(), model.sigma(), model.power(), reach);
 		final Curves known = KNOWN.get(key);

@@ -77,8 +77,8 @@ public final class NormalizedFrame {
 
 	private static void requireSize(final int width, final int height, final int pixels) {
 		if (pixels != width * height)
-			throw new IllegalArgumentException("A frame of " + width + " x " + height
-				+ " pixels has " + pixels + " values.");
+			throw new IllegalArgumentException(
+				"A frame of " + width + " x " + height + " pixels has " + pixels + " values.");
 	}
 
 	/**
@@ -134,9 +134,7 @@ public final class NormalizedFrame {
 
 	/** @return what the picture of a line leaves; one that saturates is itself cut off */
 	double residual(final int at, final double pixel, final double drawn, final LineModel model) {
-		return model.kind() == LineModel.Kind.ADDITIVE
-			? residual(at, pixel, drawn)
-			: pixel - drawn;
+		return model.kind() == LineModel.Kind.ADDITIVE ? residual(at, pixel, drawn) : pixel - drawn;
 	}
 
 	/** @return width in pixels */

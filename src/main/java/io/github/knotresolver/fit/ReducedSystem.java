@@ -1,7 +1,6 @@
 
 package io.github.knotresolver.fit;
 
-
 /**
  * The dense system, for pixels that couple any nodes. As every node behind a link moves
  * alike, suffix sums over the node matrix reduce it in O(n²); a solution is O(n³).

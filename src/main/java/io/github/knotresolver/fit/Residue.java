@@ -33,11 +33,12 @@ public record Residue(double unexplained, double invented, double pattern) {
 		final double[] pixels = frame.pixels();
 		final float[] residual = new float[picture.length];
 		for (int i = 0; i < picture.length; i++)
-			residual[i] = (float) Math.max(-FitTuning.RESIDUE_OUTLIER * 2,
-				Math.min(FitTuning.RESIDUE_OUTLIER * 2, frame.residual(i, pixels[i], picture[i], model)));
+			residual[i] = (float) Math.max(-FitTuning.RESIDUE_OUTLIER * 2, Math.min(
+				FitTuning.RESIDUE_OUTLIER * 2, frame.residual(i, pixels[i], picture[i], model)));
 		final double sigma = Math.max(1, model.in(frame).sigma());
 		final float[] blurred = GaussianBlur.blur(residual, frame.width(), sigma);
-		final double threshold = Math.max(FitTuning.RESIDUE_SEEN, FitTuning.RESIDUE_NOISES * noise / (2 * Math.sqrt(Math.PI) * sigma));
+		final double threshold = Math.max(FitTuning.RESIDUE_SEEN,
+			FitTuning.RESIDUE_NOISES * noise / (2 * Math.sqrt(Math.PI) * sigma));
 		final boolean[] near = ChainPixels.of(frame, chain, FitTuning.RESIDUE_NEAR),
 			around = ChainPixels.of(frame, chain, FitTuning.RESIDUE_AROUND);
 		int more = 0, less = 0, count = 0;

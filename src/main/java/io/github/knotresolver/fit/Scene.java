@@ -162,7 +162,8 @@ public final class Scene {
 	 * @return the surroundings
 	 */
 	public SceneWindow window(final List<Chain> starts) {
-		return new SceneWindow(this, Patch.around(starts, line.reach() + FitTuning.WINDOW_ROOM, light),
+		return new SceneWindow(this,
+			Patch.around(starts, line.reach() + FitTuning.WINDOW_ROOM, light),
 			starts.get(0).links());
 	}
 

@@ -104,8 +104,7 @@ final class TipBeam {
 		final double bx, final double by) {
 		final double reach = line.reach(), ux = (bx - ax) / h, uy = (by - ay) / h;
 		final int top = (int) Math.max(0, Math.ceil(Math.min(ay, by) - reach));
-		final int bottom = (int) Math.min(part.height() - 1,
-			Math.floor(Math.max(ay, by) + reach));
+		final int bottom = (int) Math.min(part.height() - 1, Math.floor(Math.max(ay, by) + reach));
 		final int first = (int) Math.max(0, Math.ceil(Math.min(ax, bx) - reach));
 		final int last = (int) Math.min(part.width() - 1, Math.floor(Math.max(ax, bx) + reach));
 		for (int row = top; row <= bottom; row++)
@@ -127,8 +126,7 @@ final class TipBeam {
 			for (int a = 0; a < FitTuning.HEADINGS; a++) {
 				final double turn = (a - FitTuning.HEADINGS / 2) * FitTuning.HEADING_STEP;
 				final double heading = tip.theta[tip.theta.length - 1] + turn;
-				all.add(
-					new Link(tip, heading, tip.gain + gain(tip, heading) - bend * turn * turn));
+				all.add(new Link(tip, heading, tip.gain + gain(tip, heading) - bend * turn * turn));
 			}
 		all.sort(Comparator.comparingDouble(Link::gain).reversed());
 		return all.stream().limit(FitTuning.BEAM).map(l -> l.tip.longer(l.heading, h, l.gain))

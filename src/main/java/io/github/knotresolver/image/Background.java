@@ -81,12 +81,14 @@ public final class Background {
 
 	private static float[] smooth(final float[] pixels, final int width, final boolean[] out) {
 		final int height = pixels.length / width;
-		final int columns = (width + ImageTuning.CELL - 1) / ImageTuning.CELL, rows = (height + ImageTuning.CELL - 1) / ImageTuning.CELL;
+		final int columns = (width + ImageTuning.CELL - 1) / ImageTuning.CELL,
+			rows = (height + ImageTuning.CELL - 1) / ImageTuning.CELL;
 		final float[] sums = new float[columns * rows], counts = new float[columns * rows];
 		double sum = 0, count = 0;
 		for (int i = 0; i < pixels.length; i++)
 			if (!out[i]) {
-				final int cell = i / width / ImageTuning.CELL * columns + i % width / ImageTuning.CELL;
+				final int cell = i / width / ImageTuning.CELL * columns
+					+ i % width / ImageTuning.CELL;
 				sums[cell] += pixels[i];
 				counts[cell]++;
 				sum += pixels[i];
@@ -128,7 +130,8 @@ public final class Background {
 		for (int y = 0; y < height; y++)
 			for (int x = 0; x < width; x++)
 				out[y * width + x] = (float) Pixels.between(cells, columns,
-					(x - (ImageTuning.CELL - 1) / 2.0) / ImageTuning.CELL, (y - (ImageTuning.CELL - 1) / 2.0) / ImageTuning.CELL);
+					(x - (ImageTuning.CELL - 1) / 2.0) / ImageTuning.CELL,
+					(y - (ImageTuning.CELL - 1) / 2.0) / ImageTuning.CELL);
 		return out;
 	}
 }

@@ -21,7 +21,8 @@ public record Enlargement(int factor, boolean smooth) {
 			if (width >= 4 * factor && isOfBlocks(pixels, width, factor))
 				return new Enlargement(factor, false);
 		final double apart = difference(pixels, width, ImageTuning.APART);
-		return new Enlargement(1, apart > 0 && difference(pixels, width, 1) < ImageTuning.SMOOTHED * apart);
+		return new Enlargement(1,
+			apart > 0 && difference(pixels, width, 1) < ImageTuning.SMOOTHED * apart);
 	}
 
 	/** @return whether it was enlarged at all */
@@ -44,7 +45,8 @@ public record Enlargement(int factor, boolean smooth) {
 				alike += same ? 1 : 0;
 			}
 		}
-		return alike > ImageTuning.ALIKE_IN_BLOCKS * within && different > (1 - ImageTuning.ALIKE_IN_BLOCKS) * between
+		return alike > ImageTuning.ALIKE_IN_BLOCKS * within
+			&& different > (1 - ImageTuning.ALIKE_IN_BLOCKS) * between
 			&& different > within - alike;
 	}
 

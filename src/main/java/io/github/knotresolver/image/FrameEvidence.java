@@ -62,10 +62,8 @@ public final class FrameEvidence {
 		whole.fill(bits, x, y, width, height);
 		begins = runs(bits, width, true);
 		ends = runs(bits, width, false);
-		final int[] kept = IntStream.range(0, whole.places.length)
-			.filter(i -> whole.x(i) >= x && whole.x(i) < x + width && whole.y(i) >= y
-				&& whole.y(i) < y + height)
-			.toArray();
+		final int[] kept = IntStream.range(0, whole.places.length).filter(i -> whole.x(i) >= x
+			&& whole.x(i) < x + width && whole.y(i) >= y && whole.y(i) < y + height).toArray();
 		places = new int[kept.length];
 		z = new byte[kept.length];
 		angles = new float[kept.length];

@@ -38,8 +38,8 @@ public final class HotPixels {
 		final float[] out = new float[in.length];
 		final Row row = new Row(width);
 		for (int y = 0; y < height; y++)
-			row.clip(in, Math.max(y - 1, 0) * width, y * width,
-				Math.min(y + 1, height - 1) * width, out);
+			row.clip(in, Math.max(y - 1, 0) * width, y * width, Math.min(y + 1, height - 1) * width,
+				out);
 		return out;
 	}
 
@@ -78,7 +78,8 @@ public final class HotPixels {
 				columns[width + 1] = columns[width];
 			}
 			for (int x = 0; x < width; x++)
-				out[here + x] = Math.max(secondSmallest(x), Math.min(secondLargest(x), in[here + x]));
+				out[here + x] = Math.max(secondSmallest(x),
+					Math.min(secondLargest(x), in[here + x]));
 		}
 
 		/** Of the eight neighbours. */

@@ -43,8 +43,9 @@ public record LineAppearance(Polarity polarity, double sigma, int binning, doubl
 	public static LineAppearance of(final Polarity polarity, final double sigma) {
 		final double s = Math.max(sigma, ImageTuning.THINNEST_LINE);
 		final int binning = Math.max(1, (int) (s / ImageTuning.COARSE_LINE));
-		return new LineAppearance(polarity, s, binning, Math.max(ImageTuning.NARROWEST_FILTER, s / binning),
-			Double.NaN, ImageTuning.USUAL_CLARITY);
+		return new LineAppearance(polarity, s, binning,
+			Math.max(ImageTuning.NARROWEST_FILTER, s / binning), Double.NaN,
+			ImageTuning.USUAL_CLARITY);
 	}
 
 	/**
@@ -54,7 +55,8 @@ public record LineAppearance(Polarity polarity, double sigma, int binning, doubl
 	 * @return the same lines, looked for with that filter
 	 */
 	public LineAppearance asFineAsNoiseAllows(final double measured) {
-		final double share = Math.min(ImageTuning.WIDE_FILTER, Math.max(ImageTuning.NARROW_FILTER, Math.sqrt(ImageTuning.CLEAR_LINE / measured)));
+		final double share = Math.min(ImageTuning.WIDE_FILTER,
+			Math.max(ImageTuning.NARROW_FILTER, Math.sqrt(ImageTuning.CLEAR_LINE / measured)));
 		return new LineAppearance(polarity, sigma, binning,
 			Math.max(ImageTuning.NARROWEST_FILTER, share * sigma / binning), reference, measured);
 	}

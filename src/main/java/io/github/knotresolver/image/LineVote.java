@@ -122,7 +122,8 @@ public final class LineVote {
 		}
 		final float[] low = noise.field();
 		for (int at = 0; at < low.length; at++)
-			low[at] = (float) Math.max(ImageTuning.VOTE_NOISE * low[at], ImageTuning.VOTE_RANGE * range);
+			low[at] = (float) Math.max(ImageTuning.VOTE_NOISE * low[at],
+				ImageTuning.VOTE_RANGE * range);
 		return low;
 	}
 
@@ -136,7 +137,8 @@ public final class LineVote {
 		final RidgeSides sides = new RidgeSides(hessian, ridges, sigma * Math.sqrt(2), low);
 		final boolean[] crest = new boolean[low.length];
 		for (int at = 0; at < crest.length; at++)
-			crest[at] = sides.isCrest(at) && !sides.isEdge(at) && sides.balance(at) > ImageTuning.VOTE_BALANCE;
+			crest[at] = sides.isCrest(at) && !sides.isEdge(at)
+				&& sides.balance(at) > ImageTuning.VOTE_BALANCE;
 		double sum = 0;
 		for (final int at : LongParts.of(crest, hessian.width(), ImageTuning.VOTE_LENGTH * sigma)) {
 			final double strength = ridges.strength(at) * Math.pow(sigma, 1.5);

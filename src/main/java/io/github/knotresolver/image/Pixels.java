@@ -81,7 +81,8 @@ public final class Pixels {
 	 */
 	public static boolean[] bits(final RandomAccessibleInterval<BitType> mask) {
 		final boolean[] bits = new boolean[width(mask) * height(mask)];
-		if (mask instanceof ArrayImg<?, ?> array && array.update(null) instanceof LongArray packed) {
+		if (mask instanceof ArrayImg<?, ?> array
+			&& array.update(null) instanceof LongArray packed) {
 			unpack(packed.getCurrentStorageArray(), bits);
 			return bits;
 		}

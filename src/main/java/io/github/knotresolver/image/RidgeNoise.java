@@ -45,8 +45,7 @@ final class RidgeNoise {
 	private int add(final int tile, final float[] response, final int from, final int begin,
 		final int end) {
 		if (counts[tile] + (end - begin) / STRIDE + 1 > samples[tile].length)
-			samples[tile] = Arrays.copyOf(samples[tile],
-				2 * samples[tile].length + end - begin);
+			samples[tile] = Arrays.copyOf(samples[tile], 2 * samples[tile].length + end - begin);
 		final int[] of = samples[tile];
 		int count = counts[tile], x = begin;
 		for (; x < end; x += STRIDE) {
@@ -67,7 +66,8 @@ final class RidgeNoise {
 		final double[] sorted = tiles.clone();
 		Arrays.sort(sorted);
 		final double middle = sorted[sorted.length / 2];
-		final double least = Math.max(middle / ImageTuning.NOISE_FACTOR, Math.max(ImageTuning.LEAST_NOISE * largest, 1e-9));
+		final double least = Math.max(middle / ImageTuning.NOISE_FACTOR,
+			Math.max(ImageTuning.LEAST_NOISE * largest, 1e-9));
 		final double most = Math.max(middle * ImageTuning.NOISE_FACTOR, least);
 		for (int i = 0; i < calm.length; i++)
 			calm[i] = Math.min(Math.max(calm[i], least), most);
@@ -77,7 +77,8 @@ final class RidgeNoise {
 	private static double quantile(final int[] values, final int count) {
 		return count == 0
 			? 0
-			: Float.intBitsToFloat(smallest(values, count, (int) (ImageTuning.NOISE_QUANTILE * (count - 1))));
+			: Float.intBitsToFloat(
+				smallest(values, count, (int) (ImageTuning.NOISE_QUANTILE * (count - 1))));
 	}
 
 	/** The value that would be at a place if the first so many were sorted; O(count). Hoare 1961, doi:10.1145/366622.366647. */

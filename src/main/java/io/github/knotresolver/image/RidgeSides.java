@@ -79,7 +79,8 @@ final class RidgeSides {
 			&& strength > at(ridges.strengths(), x + s, y - c);
 		if (crest[at]) {
 			final double a = lobe(x, y, c, s), b = lobe(x, y, -c, -s);
-			edge[at] = Math.max(a, b) > -ImageTuning.NO_LOBE * strength && Math.min(a, b) < -ImageTuning.LOBE * strength;
+			edge[at] = Math.max(a, b) > -ImageTuning.NO_LOBE * strength
+				&& Math.min(a, b) < -ImageTuning.LOBE * strength;
 		}
 	}
 

@@ -164,8 +164,9 @@ public final class RidgeStrength {
 			across(d);
 			for (int y = 0; y < height; y++) {
 				for (int i = -reach; i <= reach; i++)
-					from[i + reach] = Math.min(Math.max(y + d.rows(i), 0), height - 1)
-						* padded.length + reach + d.columns(i);
+					from[i
+						+ reach] = Math.min(Math.max(y + d.rows(i), 0), height - 1) * padded.length
+							+ reach + d.columns(i);
 				SeparableFilter.sum(rows, from, weights, sums);
 				if (k % SAMPLED == 0 && y % RidgeNoise.STRIDE == 0)
 					noise.add(y, sums, 0);

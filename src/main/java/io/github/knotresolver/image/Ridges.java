@@ -135,7 +135,8 @@ public final class Ridges {
 	 * @return whether a line is beyond doubt there
 	 */
 	public boolean isSure(final int at) {
-		return sides.isCrest(at) && strength.strength(at) > limit(at, ImageTuning.HIGH, ImageTuning.HIGH_SHARE);
+		return sides.isCrest(at)
+			&& strength.strength(at) > limit(at, ImageTuning.HIGH, ImageTuning.HIGH_SHARE);
 	}
 
 	/**
@@ -186,7 +187,9 @@ public final class Ridges {
 	}
 
 	private double relative(final int at) {
-		return appearance.hasReference() && sides.isCrest(at) ? ImageTuning.RELATIVE_ON_CREST : ImageTuning.RELATIVE;
+		return appearance.hasReference() && sides.isCrest(at)
+			? ImageTuning.RELATIVE_ON_CREST
+			: ImageTuning.RELATIVE;
 	}
 
 	private float limit(final int at, final double noises, final double share) {

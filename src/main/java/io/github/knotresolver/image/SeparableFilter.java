@@ -96,8 +96,7 @@ final class SeparableFilter {
 	 * @param factors one for each part
 	 * @param sums the result, as long as a part
 	 */
-	static void sum(final float[] in, final int[] from, final float[] factors,
-		final float[] sums) {
+	static void sum(final float[] in, final int[] from, final float[] factors, final float[] sums) {
 		Arrays.fill(sums, 0);
 		int k = 0;
 		for (; k + 4 <= from.length; k += 4)

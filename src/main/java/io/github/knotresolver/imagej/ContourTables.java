@@ -10,11 +10,11 @@ import ij.measure.ResultsTable;
 import ij.plugin.filter.Analyzer;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.io.FilamentSummary;
+import io.github.knotresolver.measure.Gliding;
 import io.github.knotresolver.measure.MeasuredFilament;
 import io.github.knotresolver.measure.MeasuredFrame;
 import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.measure.Quantity;
-import io.github.knotresolver.measure.Gliding;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.Observation;
 
@@ -146,7 +146,8 @@ public final class ContourTables {
 			table.addValue("mean confidence", s.confidence());
 			table.addValue("gliding path" + length,
 				s.gliding().map(Gliding::path).orElse(Double.NaN));
-			table.addValue("gliding speed" + unit(calibration.unit() + "/" + calibration.timeUnit()),
+			table.addValue(
+				"gliding speed" + unit(calibration.unit() + "/" + calibration.timeUnit()),
 				s.gliding().map(Gliding::speed).orElse(Double.NaN));
 		}
 		return table;

@@ -25,12 +25,10 @@ public final class ImageSelection {
 	 * @return the options with what the selection says
 	 * @throws UserException if the area is too small, in one sentence
 	 */
-	public static Map<String, String> over(final Map<String, String> texts,
-		final ImagePlus image) {
+	public static Map<String, String> over(final Map<String, String> texts, final ImagePlus image) {
 		final Map<String, String> all = new LinkedHashMap<>(texts);
 		if (texts.get(FIXED_END).isBlank())
-			all.put(FIXED_END,
-				RoiConverter.point(image.getRoi()).map(Point::toString).orElse(""));
+			all.put(FIXED_END, RoiConverter.point(image.getRoi()).map(Point::toString).orElse(""));
 		if (texts.get(REGION).isBlank())
 			all.put(REGION, RoiConverter.region(image).map(Region::toString).orElse(""));
 		return all;

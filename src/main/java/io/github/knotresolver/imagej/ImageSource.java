@@ -46,7 +46,9 @@ public final class ImageSource implements MovieSource {
 	public Movie read(final InputOptions options, final Progress progress) {
 		final ImagePlus image = opener.apply(progress);
 		final Movie movie = ImageMovie.of(image, options);
-		notes = image.getProperty(TiffImage.NOTE) instanceof String note ? List.of(note) : List.of();
+		notes = image.getProperty(TiffImage.NOTE) instanceof String note
+			? List.of(note)
+			: List.of();
 		rois = RoiConverter.forImage(image, options.channel());
 		return movie;
 	}

@@ -5,6 +5,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
+import net.imglib2.img.Img;
+import net.imglib2.type.logic.BitType;
+
 import ij.gui.Overlay;
 import ij.gui.PointRoi;
 import ij.gui.Roi;
@@ -14,8 +17,6 @@ import ij.process.ImageProcessor;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.session.FrameLook;
-import net.imglib2.img.Img;
-import net.imglib2.type.logic.BitType;
 
 /**
  * A look at a frame as shapes over the image: the outline of the mask as a thin white line, the
@@ -75,8 +76,8 @@ public final class LookOverlay {
 	}
 
 	private static boolean isOurs(final Roi roi) {
-		return roi.getName() != null && (roi.getName().startsWith(PREFIX)
-			|| roi.getName().startsWith(RoiConverter.PREFIX));
+		return roi.getName() != null
+			&& (roi.getName().startsWith(PREFIX) || roi.getName().startsWith(RoiConverter.PREFIX));
 	}
 
 	private static void add(final Overlay overlay, final Roi roi, final String name,
@@ -130,9 +131,8 @@ public final class LookOverlay {
 				.polyline(Polyline.of(Arrays.copyOfRange(line.xs(), i * LINKS, (i + 1) * LINKS + 1),
 					Arrays.copyOfRange(line.ys(), i * LINKS, (i + 1) * LINKS + 1)));
 			final double along = (i + 0.5) / PIECES;
-			pieces[i].setStrokeColor(contours.size() == 1
-				? Palette.along(along)
-				: Palette.along(index + 1, along));
+			pieces[i].setStrokeColor(
+				contours.size() == 1 ? Palette.along(along) : Palette.along(index + 1, along));
 			pieces[i].setUnscalableStrokeWidth(LINE);
 		}
 		return List.of(pieces);

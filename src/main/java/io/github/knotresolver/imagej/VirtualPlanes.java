@@ -28,8 +28,7 @@ final class VirtualPlanes extends AbstractList<Object> {
 	 * @param bits of a pixel
 	 * @param memory Java's memory in bytes
 	 */
-	VirtualPlanes(final ImageStack stack, final int[] indices, final int bits,
-		final long memory) {
+	VirtualPlanes(final ImageStack stack, final int[] indices, final int bits, final long memory) {
 		this.stack = stack;
 		this.indices = indices.clone();
 		final double plane = (double) stack.getWidth() * stack.getHeight() * bits / Byte.SIZE;

@@ -48,8 +48,7 @@ final class CsvFile {
 		}
 
 		@Override
-		public void write(final char[] text, final int from, final int length)
-			throws IOException {
+		public void write(final char[] text, final int from, final int length) throws IOException {
 			Cancellation.check();
 			super.write(text, from, length);
 		}
@@ -57,9 +56,8 @@ final class CsvFile {
 
 	/** @return a printer into a new file, to be closed; may be cancelled */
 	static CSVPrinter create(final Path file, final String... header) throws IOException {
-		final CSVPrinter printer = new CSVPrinter(
-			new BufferedWriter(new AskingWriter(Files.newBufferedWriter(file, StandardCharsets.UTF_8))),
-			WRITE);
+		final CSVPrinter printer = new CSVPrinter(new BufferedWriter(
+			new AskingWriter(Files.newBufferedWriter(file, StandardCharsets.UTF_8))), WRITE);
 		if (header.length > 0)
 			printer.printRecord((Object[]) header);
 		return printer;

@@ -5,8 +5,8 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.OverlappingFileLockException;
-import java.nio.file.Files;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -87,8 +87,8 @@ final class FolderLock implements Closeable {
 			return FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.READ,
 				StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
 		} catch (final NoSuchFileException | AccessDeniedException e) {
-			throw new UserException("The folder " + file.getParent()
-				+ " takes no new file; choose another output.", e);
+			throw new UserException(
+				"The folder " + file.getParent() + " takes no new file; choose another output.", e);
 		}
 	}
 

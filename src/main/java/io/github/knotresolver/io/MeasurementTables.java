@@ -164,7 +164,8 @@ public final class MeasurementTables {
 					final Optional<DominantFrequency> d = movie.dominantFrequency(q);
 					if (d.isPresent())
 						table.print(q.key(), NumberText.significant(d.get().frequency()),
-							NumberText.significant(d.get().standardError()), movie.calibration().frequencyUnit(),
+							NumberText.significant(d.get().standardError()),
+							movie.calibration().frequencyUnit(),
 							NumberText.significant(d.get().amplitude()), movie.unit(q),
 							NumberText.significant(d.get().phase()),
 							NumberText.significant(d.get().falseAlarmProbability()));
@@ -188,7 +189,8 @@ public final class MeasurementTables {
 					final double[] f = spectrum.frequency(), a = spectrum.amplitude();
 					for (int i = 0; i < f.length; i++)
 						table.print(q.key(), NumberText.significant(f[i]),
-							NumberText.significant(a[i]), movie.calibration().frequencyUnit(), movie.unit(q));
+							NumberText.significant(a[i]), movie.calibration().frequencyUnit(),
+							movie.unit(q));
 				}
 			});
 	}
@@ -211,11 +213,11 @@ public final class MeasurementTables {
 	private static List<Object> row(final MovieMeasurements movie, final String field,
 		final TravellingWave w) {
 		final String unit = movie.calibration().unit();
-		return List.of(field, NumberText.significant(w.frequency()), movie.calibration().frequencyUnit(),
-			NumberText.significant(w.speed()), NumberText.significant(w.speedError()),
-			unit + "/" + movie.calibration().timeUnit(), NumberText.significant(w.wavelength()),
-			NumberText.significant(w.amplitude()), NumberText.significant(w.place()),
-			NumberText.significant(w.coherence()), unit);
+		return List.of(field, NumberText.significant(w.frequency()),
+			movie.calibration().frequencyUnit(), NumberText.significant(w.speed()),
+			NumberText.significant(w.speedError()), unit + "/" + movie.calibration().timeUnit(),
+			NumberText.significant(w.wavelength()), NumberText.significant(w.amplitude()),
+			NumberText.significant(w.place()), NumberText.significant(w.coherence()), unit);
 	}
 
 	/** Figures that each filament has for itself are those of the first, and stand in a list for all. */

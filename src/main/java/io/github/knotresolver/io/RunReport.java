@@ -74,10 +74,8 @@ public final class RunReport {
 			+ (Double.isNaN(s.length())
 				? ""
 				: ", length " + NumberText.significant(s.length()) + " " + c.unit())
-			+ s.gliding()
-				.map(g -> ", glides at " + NumberText.significant(g.speed()) + " " + c.unit() + "/"
-					+ c.timeUnit())
-				.orElse("")
+			+ s.gliding().map(g -> ", glides at " + NumberText.significant(g.speed()) + " "
+				+ c.unit() + "/" + c.timeUnit()).orElse("")
 			+ ".";
 	}
 

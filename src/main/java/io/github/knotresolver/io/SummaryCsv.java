@@ -51,9 +51,9 @@ public final class SummaryCsv {
 				NumberText.significant(s.sd()), NumberText.significant(s.min()),
 				NumberText.significant(s.max()), result.calibration().unit(),
 				text(f, DominantFrequency::frequency), text(f, DominantFrequency::standardError),
-				text(f, DominantFrequency::falseAlarmProbability), result.calibration().frequencyUnit(),
-				ProgramVersion.get(), ParametersJson.line(tracks, input),
-				tracks.filaments().size());
+				text(f, DominantFrequency::falseAlarmProbability),
+				result.calibration().frequencyUnit(), ProgramVersion.get(),
+				ParametersJson.line(tracks, input), tracks.filaments().size());
 		}
 	}
 

@@ -32,8 +32,7 @@ public final class RidgeMask {
 	}
 
 	/** Takes objects without a pixel of the other mask out of a mask. */
-	private static void hysteresis(final boolean[] bits, final boolean[] strict,
-		final int width) {
+	private static void hysteresis(final boolean[] bits, final boolean[] strict, final int width) {
 		final int[] places = new int[bits.length];
 		final boolean[] kept = new boolean[bits.length];
 		for (int at = 0; at < bits.length; at++)

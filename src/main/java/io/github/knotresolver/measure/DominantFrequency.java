@@ -53,8 +53,7 @@ public record DominantFrequency(double frequency, double standardError, double a
 		final TimeSeries series = TimeSeries.of(values, interval).detrended();
 		final double f = refined(series, spectrum.frequency()[peak]);
 		final SineFit sine = new SineFit(series, f);
-		return Optional.of(new DominantFrequency(f,
-			standardError(series, sine), sine.amplitude(),
+		return Optional.of(new DominantFrequency(f, standardError(series, sine), sine.amplitude(),
 			sine.phase(), new RedNoiseTest(series).falseAlarmProbability()));
 	}
 
@@ -70,8 +69,7 @@ public record DominantFrequency(double frequency, double standardError, double a
 		final double high = Math.min(0.5 / series.interval(), peak + reach);
 		try {
 			return new BrentOptimizer(1e-10, 1e-12).optimize(new MaxEval(200), GoalType.MINIMIZE,
-				new UnivariateObjectiveFunction(
-					f -> new SineFit(series, f).residual().variance()),
+				new UnivariateObjectiveFunction(f -> new SineFit(series, f).residual().variance()),
 				new SearchInterval(low, high, Math.min(high, peak))).getPoint();
 		} catch (final TooManyEvaluationsException e) {
 			// Nothing near the peak fits better than the peak itself.

@@ -13,8 +13,10 @@ record FrequencyGrid(int first, int size, int cycle, double interval) {
 
 	FrequencyGrid {
 		if (first < 1 || size < 1 || cycle < 1 || !(interval > 0))
-			throw new IllegalArgumentException("A grid of frequencies has at least 1 of at least 1 cycle in at least 1 frame, but this has "
-				+ size + " from " + first + " in " + cycle + ", with an interval of " + interval + ".");
+			throw new IllegalArgumentException(
+				"A grid of frequencies has at least 1 of at least 1 cycle in at least 1 frame, but this has "
+					+ size + " from " + first + " in " + cycle + ", with an interval of " + interval
+					+ ".");
 	}
 
 	/**

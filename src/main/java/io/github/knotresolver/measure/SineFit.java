@@ -17,7 +17,8 @@ final class SineFit {
 		final double w = 1.0 / series.size();
 		double c = 0, s = 0, cc = 0, cs = 0, ss = 0, v = 0, vc = 0, vs = 0;
 		for (int i = 0; i < series.size(); i++) {
-			final double cos = Math.cos(turn * series.time(i)), sin = Math.sin(turn * series.time(i));
+			final double cos = Math.cos(turn * series.time(i)),
+				sin = Math.sin(turn * series.time(i));
 			c += w * cos;
 			s += w * sin;
 			cc += w * cos * cos;

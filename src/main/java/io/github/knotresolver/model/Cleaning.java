@@ -20,8 +20,8 @@ public record Cleaning(int logSize, double logSigma) {
 					"log_size must be an odd number of pixels from 3 to 99 (or 0 for off), but is "
 						+ logSize + ".");
 			if (!(logSigma > 0 && logSigma <= 50))
-				throw new UserException(
-					"log_sigma must be above 0 and at most 50 pixels, but is " + ShownNumber.of(logSigma) + ".");
+				throw new UserException("log_sigma must be above 0 and at most 50 pixels, but is "
+					+ ShownNumber.of(logSigma) + ".");
 		}
 	}
 

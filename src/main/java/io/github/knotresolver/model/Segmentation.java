@@ -45,15 +45,14 @@ public record Segmentation(Steps steps, Polarity polarity, OptionalDouble thresh
 		Objects.requireNonNull(polarity);
 		if (threshold.isPresent()
 			&& !(threshold.getAsDouble() >= 0 && threshold.getAsDouble() <= 1))
-			throw new UserException(
-				"threshold must be from 0 to 1, or otsu, but is "
-					+ ShownNumber.of(threshold.getAsDouble()) + ".");
+			throw new UserException("threshold must be from 0 to 1, or otsu, but is "
+				+ ShownNumber.of(threshold.getAsDouble()) + ".");
 		if (iterations < 0 || iterations > 1000)
 			throw new UserException(
 				"iterations must be from 0 to 1000, but is " + iterations + ".");
 		if (!(contractionBias >= -1 && contractionBias <= 1))
-			throw new UserException(
-				"contraction_bias must be from -1 to 1, but is " + ShownNumber.of(contractionBias) + ".");
+			throw new UserException("contraction_bias must be from -1 to 1, but is "
+				+ ShownNumber.of(contractionBias) + ".");
 		if (!(smoothFactor >= 0 && smoothFactor <= 10))
 			throw new UserException(
 				"smooth_factor must be from 0 to 10, but is " + ShownNumber.of(smoothFactor) + ".");

@@ -62,7 +62,8 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 				|| !segmentation.isAutomatic()))
 			segmentation = segmentation.withSteps(Segmentation.Steps.BOTH);
 		if (length.isPresent() && !(length.getAsDouble() > 0))
-			throw new UserException("length must be above 0, but is " + ShownNumber.of(length.getAsDouble()) + ".");
+			throw new UserException(
+				"length must be above 0, but is " + ShownNumber.of(length.getAsDouble()) + ".");
 		if (threads < 1)
 			throw new UserException("threads must be at least 1, but is " + threads + ".");
 		frames = Collections.unmodifiableSortedSet(new TreeSet<>(frames));

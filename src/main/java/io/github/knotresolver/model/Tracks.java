@@ -60,9 +60,9 @@ public record Tracks(Movie movie, Settings settings, List<FilamentTrack> filamen
 	 * @return whether a person has found that right: gave it, chose it, or left it as it is
 	 */
 	public boolean isChecked(final int filament, final Observation found) {
-		return found.status() == FrameStatus.CORRECTED || settings.constraints().stream()
-			.anyMatch(c -> c.frame() == found.frame() && c.filament() == filament
-				&& c.confirms(found.contour()));
+		return found.status() == FrameStatus.CORRECTED
+			|| settings.constraints().stream().anyMatch(c -> c.frame() == found.frame()
+				&& c.filament() == filament && c.confirms(found.contour()));
 	}
 
 	/**

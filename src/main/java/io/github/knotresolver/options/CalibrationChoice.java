@@ -85,25 +85,25 @@ public record CalibrationChoice(OptionalDouble pixelSize, Optional<String> unit,
 	private Calibration told(final double size, final Calibration image) {
 		final boolean named = unit.isPresent();
 		if (!named && image.hasLengthUnit() && !image.unit().equals(UnitText.MICROMETRE))
-			throw new UserException(
-				"pixel_size is " + ShownNumber.of(size) + ", but not in which unit, and the image's own is "
-					+ image.unit() + "; add unit=µm, or add unit=" + image.unit() + ".");
+			throw new UserException("pixel_size is " + ShownNumber.of(size)
+				+ ", but not in which unit, and the image's own is " + image.unit()
+				+ "; add unit=µm, or add unit=" + image.unit() + ".");
 		final String in = unit.orElse(UnitText.MICROMETRE);
 		if (in.equals(Calibration.NONE.unit()))
 			throw new UserException("pixel_size is " + ShownNumber.of(size)
 				+ ", but unit is pixel, in which a pixel is 1; leave one of them out.");
 		final OptionalDouble micrometres = UnitText.micrometres(in);
 		if (micrometres.isPresent() && !isPlausible(size * micrometres.getAsDouble()))
-			throw new UserException(
-				"pixel_size must be from 0.1 nm to 1 mm, but is " + ShownNumber.of(size) + " " + in + ".");
+			throw new UserException("pixel_size must be from 0.1 nm to 1 mm, but is "
+				+ ShownNumber.of(size) + " " + in + ".");
 		return new Calibration(size, in, 1, Calibration.NONE.timeUnit());
 	}
 
 	private Calibration known(final Calibration image) {
 		if (unit.isEmpty()) {
 			if (!isPlausible(image))
-				throw new UserException("The image's pixels are " + ShownNumber.of(image.pixelSize()) + " "
-					+ image.unit()
+				throw new UserException("The image's pixels are "
+					+ ShownNumber.of(image.pixelSize()) + " " + image.unit()
 					+ " large, which is no microscope's; tell pixel_size and unit, or unit=pixel for results in pixels.");
 			return image;
 		}
@@ -135,9 +135,9 @@ public record CalibrationChoice(OptionalDouble pixelSize, Optional<String> unit,
 		if (!in.hasTimeUnit())
 			return Calibration.NONE;
 		if (!in.timeUnit().equals(UnitText.SECOND))
-			throw new UserException(
-				"The image's frames are " + ShownNumber.of(image.frameInterval()) + " " + image.timeUnit()
-					+ " apart, which is no unit of time; tell frame_interval in seconds.");
+			throw new UserException("The image's frames are "
+				+ ShownNumber.of(image.frameInterval()) + " " + image.timeUnit()
+				+ " apart, which is no unit of time; tell frame_interval in seconds.");
 		if (!(in.frameInterval() >= SHORTEST && in.frameInterval() <= LONGEST))
 			throw new UserException("frame_interval must be from 1e-9 s to a year, but is "
 				+ ShownNumber.of(in.frameInterval()) + " s.");

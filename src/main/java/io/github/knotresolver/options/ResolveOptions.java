@@ -49,7 +49,8 @@ public final class ResolveOptions {
 				? c.settings().segmentation().threshold().getAsDouble()
 				: "otsu"),
 
-		option("iterations", Kind.WHOLE).advanced(Section.MASK).takes("N").label("Iterations (steps)")
+		option("iterations", Kind.WHOLE).advanced(Section.MASK).takes("N")
+			.label("Iterations (steps)")
 			.help("Steps of the active contour that moves the mask's outline").byDefault("10")
 			.range("0 to 1000")
 			.reads((d,
@@ -120,7 +121,8 @@ public final class ResolveOptions {
 				.resolver(OptionText.choice("resolver", t, ResolverMethod.class)))
 			.writes(c -> word(c.settings().resolver())),
 
-		option("length", Kind.TEXT).basic(Section.FILAMENT).takes("L").label("Length (if known; image's unit)")
+		option("length", Kind.TEXT).basic(Section.FILAMENT).takes("L")
+			.label("Length (if known; image's unit)")
 			.help("Known length of the filament, in the image's unit").byDefault("estimated")
 			.range("above 0")
 			.reads((d, t) -> d.length = OptionalDouble.of(OptionText.positive("length", t)))

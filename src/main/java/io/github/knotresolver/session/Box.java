@@ -51,10 +51,10 @@ record Box(int x, int y, int width, int height) {
 	 * @return this part of it, in working pixels; NaN where the frame has no value
 	 */
 	float[] of(final RandomAccessibleInterval<? extends RealType<?>> frame, final int binning) {
-		final long left = frame.min(0) + (long) x * binning, top = frame.min(1) + (long) y * binning;
-		final double[] values = Pixels
-			.doubles(Views.interval(frame, new long[]{left, top}, new long[]{
-				left + (long) width * binning - 1, top + (long) height * binning - 1}));
+		final long left = frame.min(0) + (long) x * binning,
+			top = frame.min(1) + (long) y * binning;
+		final double[] values = Pixels.doubles(Views.interval(frame, new long[]{left, top},
+			new long[]{left + (long) width * binning - 1, top + (long) height * binning - 1}));
 		final float[] pixels = new float[values.length];
 		for (int i = 0; i < pixels.length; i++)
 			pixels[i] = (float) values[i];

@@ -72,11 +72,9 @@ final class EvidencePreparer {
 		final List<String> late = EvidenceNotes.late(lit, lost.size(), clipping);
 		late.forEach(progress::note);
 		notes.addAll(late);
-		return new PreparedMovie(
-			clipping.isClipped()
-				? workers.map(lit.size(), t -> lights.withCeiling(lit.get(t), clipping))
-				: lit,
-			pixels, lost, clipping.kinds(), notes);
+		return new PreparedMovie(clipping.isClipped()
+			? workers.map(lit.size(), t -> lights.withCeiling(lit.get(t), clipping))
+			: lit, pixels, lost, clipping.kinds(), notes);
 	}
 
 	/** As many threads as find room in Java's memory, all or one. */
@@ -88,8 +86,8 @@ final class EvidencePreparer {
 		final double needed = pixels * (BYTES_ONCE + BYTES_A_THREAD);
 		if (needed > memory)
 			throw new UserException("There is not enough memory for frames of " + movie.width()
-				+ " x " + movie.height() + " pixels: they need " + (long) Math.ceil(needed / MEGABYTE)
-				+ " MB, and Java has " + memory / MEGABYTE
+				+ " x " + movie.height() + " pixels: they need "
+				+ (long) Math.ceil(needed / MEGABYTE) + " MB, and Java has " + memory / MEGABYTE
 				+ " MB; give Java more (JAVA_OPTS=-Xmx8g, in ImageJ Edit > Options > Memory & Threads), or name a region.",
 				new OutOfMemoryError());
 		return Workers.HERE;

@@ -75,9 +75,9 @@ public record FrameChoice(Movie movie, Settings parameters) {
 
 	private void requirePossible(final double length) {
 		if (length > LONGEST * (movie.width() + movie.height()))
-			throw new UserException(
-				"length is " + ShownNumber.of(length) + " pixels, which is far too long for an image of "
-					+ movie.width() + " x " + movie.height()
-					+ " pixels; give it in the image's unit, " + movie.calibration().unit() + ".");
+			throw new UserException("length is " + ShownNumber.of(length)
+				+ " pixels, which is far too long for an image of " + movie.width() + " x "
+				+ movie.height() + " pixels; give it in the image's unit, "
+				+ movie.calibration().unit() + ".");
 	}
 }

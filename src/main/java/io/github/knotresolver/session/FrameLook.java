@@ -3,10 +3,11 @@ package io.github.knotresolver.session;
 import java.util.List;
 import java.util.OptionalDouble;
 
-import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.model.Polarity;
 import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
+
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Polarity;
 
 /**
  * What one frame shows by itself. All of it is in the movie's pixels.

@@ -7,6 +7,10 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 
+import net.imglib2.img.Img;
+import net.imglib2.type.logic.BitType;
+import net.imglib2.type.numeric.real.FloatType;
+
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.image.FrameEvidence;
 import io.github.knotresolver.image.LineAppearance;
@@ -20,9 +24,6 @@ import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.skeleton.AppearanceFinder;
 import io.github.knotresolver.skeleton.EvidenceFinder;
 import io.github.knotresolver.skeleton.Skeletonize;
-import net.imglib2.img.Img;
-import net.imglib2.type.logic.BitType;
-import net.imglib2.type.numeric.real.FloatType;
 
 /**
  * Single frames of a movie as the program sees them before anything is resolved, for a person who
@@ -113,8 +114,7 @@ public final class FramePreview {
 		final Work work) {
 		final LineAppearance appearance = found(settings, wanted, work).appearance();
 		work.progress.checkCancelled();
-		final FrameEvidence evidence = new EvidenceFinder(appearance)
-			.find(movie.frame(frame - 1));
+		final FrameEvidence evidence = new EvidenceFinder(appearance).find(movie.frame(frame - 1));
 		work.progress.checkCancelled();
 		final WorkingPixels pixels = new WorkingPixels(appearance.binning(), 0, 0);
 		return new LookPlace(movie, pixels).look(frame, evidence.mask(), evidence.skeleton(),
@@ -139,8 +139,8 @@ public final class FramePreview {
 		final Img<BitType> mask = preparer(settings, movieOf)
 			.masks(List.of(frame), work.workers, work.progress).get(0);
 		work.progress.checkCancelled();
-		return new LookPlace(lines, WorkingPixels.SAME).look(frame, mask,
-			Skeletonize.thin(mask), new LookPlace.Lines(silent(settings),
+		return new LookPlace(lines, WorkingPixels.SAME).look(
+			frame, mask, Skeletonize.thin(mask), new LookPlace.Lines(silent(settings),
 				lines == movie ? Polarity.BRIGHT : Polarity.DARK, OptionalDouble.empty()),
 			work.progress);
 	}
@@ -198,8 +198,7 @@ public final class FramePreview {
 		}
 	}
 
-	private static Optional<Point> fixedEnd(final PreparedMovie prepared,
-		final Progress progress) {
+	private static Optional<Point> fixedEnd(final PreparedMovie prepared, final Progress progress) {
 		return LoneEnd.of(prepared.frames(), progress).map(prepared.pixels()::out);
 	}
 

@@ -32,9 +32,8 @@ final class LoneEnd {
 	}
 
 	private static boolean isInPlace(final Point end, final List<FrameView> frames) {
-		return frames.stream()
-			.filter(f -> f.graph().freeEnds().stream()
-				.anyMatch(n -> n.position().distanceTo(end) <= NEAR))
+		return frames.stream().filter(
+			f -> f.graph().freeEnds().stream().anyMatch(n -> n.position().distanceTo(end) <= NEAR))
 			.count() >= USUALLY * frames.size();
 	}
 }

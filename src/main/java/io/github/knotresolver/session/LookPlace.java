@@ -7,6 +7,9 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
 
+import net.imglib2.img.Img;
+import net.imglib2.type.logic.BitType;
+
 import io.github.knotresolver.candidate.Candidate;
 import io.github.knotresolver.candidate.CandidateQuery;
 import io.github.knotresolver.candidate.SceneTrails;
@@ -26,8 +29,6 @@ import io.github.knotresolver.model.Region;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.skeleton.Skeletonize;
-import net.imglib2.img.Img;
-import net.imglib2.type.logic.BitType;
 
 /** Makes of a frame's mask and skeleton what a person sees of them, in the movie's pixels. */
 record LookPlace(Movie movie, WorkingPixels pixels) {
@@ -52,8 +53,7 @@ record LookPlace(Movie movie, WorkingPixels pixels) {
 		final Img<BitType> whole = enlarged(mask);
 		final List<MaskObject> objects = ConnectedComponents.of(mask).objects();
 		return new FrameLook(frame, whole,
-			pixels.binning() == 1 ? skeleton : Skeletonize.thin(enlarged(skeleton)),
-			objects.size(),
+			pixels.binning() == 1 ? skeleton : Skeletonize.thin(enlarged(skeleton)), objects.size(),
 			objects.stream().mapToInt(MaskObject::pixels).sum() * pixels.binning()
 				* pixels.binning(),
 			courses.curves.stream().map(pixels::out).toList(), courses.hiddenEnds, lines.polarity,
@@ -103,7 +103,8 @@ record LookPlace(Movie movie, WorkingPixels pixels) {
 			p -> (polarity == Polarity.DARK ? -1 : 1)
 				* (Pixels.between(grey, movie.width(), p.x(), p.y()) - dark));
 		final double usual = graph.segments().stream().map(s -> s.curve())
-			.max(Comparator.comparingDouble(Polyline::length)).map(light::applyAsDouble).orElse(1.0);
+			.max(Comparator.comparingDouble(Polyline::length)).map(light::applyAsDouble)
+			.orElse(1.0);
 		return usual > 0 ? c -> light.applyAsDouble(c) / usual : c -> 1;
 	}
 
@@ -132,8 +133,8 @@ record LookPlace(Movie movie, WorkingPixels pixels) {
 	static FrameLook back(final Region region, final Movie whole, final FrameLook part) {
 		return new FrameLook(part.frame(), back(region, whole, part.mask()),
 			back(region, whole, part.skeleton()), part.objects(), part.area(),
-			part.contours().stream().map(region::back).toList(), part.hiddenEnds(),
-			part.polarity(), part.width());
+			part.contours().stream().map(region::back).toList(), part.hiddenEnds(), part.polarity(),
+			part.width());
 	}
 
 	private static Img<BitType> back(final Region region, final Movie whole,

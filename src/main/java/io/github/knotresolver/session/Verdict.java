@@ -39,8 +39,7 @@ final class Verdict {
 	static List<String> on(final List<FilamentTrack> filaments) {
 		final List<String> verdict = new ArrayList<>();
 		final List<Observation> all = filaments.stream().flatMap(f -> f.frames().stream())
-			.filter(o -> o.status() == FrameStatus.RESOLVED
-				|| o.status() == FrameStatus.UNRESOLVED)
+			.filter(o -> o.status() == FrameStatus.RESOLVED || o.status() == FrameStatus.UNRESOLVED)
 			.toList();
 		final long likely = all.stream().filter(o -> o.confidence() > LIKELY).count();
 		if (all.size() >= FEWEST && likely < SHARE * all.size())
@@ -57,7 +56,7 @@ final class Verdict {
 	private static boolean standsStill(final FilamentTrack track) {
 		final List<Polyline> contours = track.frames().stream().map(Observation::contour)
 			.flatMap(Optional::stream).filter(c -> c.size() > 1).toList();
-		return contours.size() >= FEWEST && contours.stream().allMatch(
-			c -> EqualArcDistance.mean(c, contours.get(contours.size() / 2)) < STILL);
+		return contours.size() >= FEWEST && contours.stream()
+			.allMatch(c -> EqualArcDistance.mean(c, contours.get(contours.size() / 2)) < STILL);
 	}
 }

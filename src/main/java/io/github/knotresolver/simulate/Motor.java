@@ -35,7 +35,8 @@ final class Motor {
 	 * A step of time while bound: walks under load and may let go, at random or
 	 * at the filament's end.
 	 */
-	void step(final SimulatedChain chain, final MotorProperties p, final double dt, final Noise noise) {
+	void step(final SimulatedChain chain, final MotorProperties p, final double dt,
+		final Noise noise) {
 		final int i = chain.linkAt(arc);
 		final double f = arc / chain.link - i;
 		final double tx = chain.x[i + 1] - chain.x[i], ty = chain.y[i + 1] - chain.y[i];

@@ -19,8 +19,9 @@ final class Require {
 		final String unit) {
 		if (!(value >= low && value <= high))
 			throw new UserException(String.format(Locale.ROOT,
-				"%s must be %s to %s%s, but is %s; choose a value in that range.", key, ShownNumber.of(low),
-				ShownNumber.of(high), unit.isEmpty() ? "" : " " + unit, ShownNumber.of(value)));
+				"%s must be %s to %s%s, but is %s; choose a value in that range.", key,
+				ShownNumber.of(low), ShownNumber.of(high), unit.isEmpty() ? "" : " " + unit,
+				ShownNumber.of(value)));
 		return value;
 	}
 

@@ -41,7 +41,8 @@ public final class ContourDistance implements EdgePrice {
 			throw new IllegalArgumentException(
 				"The weight of the distance must be at least 0, but is " + weight + ".");
 		final List<List<Polyline>> sampled = contours.stream()
-			.map(frame -> frame.stream().map(c -> c.every(TrackTuning.DISTANCE_STEP)).toList()).toList();
+			.map(frame -> frame.stream().map(c -> c.every(TrackTuning.DISTANCE_STEP)).toList())
+			.toList();
 		fromFrame = workers
 			.map(sampled.size(), t -> distances(sampled.get(t), next(sampled, t), progress))
 			.toArray(double[][][]::new);
@@ -53,7 +54,9 @@ public final class ContourDistance implements EdgePrice {
 	private double typical() {
 		final double[] moved = Arrays.stream(fromFrame).filter(m -> m.length > 0 && m[0].length > 0)
 			.mapToDouble(m -> Arrays.stream(m[0]).min().orElseThrow()).sorted().toArray();
-		return moved.length == 0 ? TrackTuning.SKELETON_NOISE : Math.max(TrackTuning.SKELETON_NOISE, moved[moved.length / 2]);
+		return moved.length == 0
+			? TrackTuning.SKELETON_NOISE
+			: Math.max(TrackTuning.SKELETON_NOISE, moved[moved.length / 2]);
 	}
 
 	/**

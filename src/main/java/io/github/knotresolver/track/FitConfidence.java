@@ -38,7 +38,8 @@ record FitConfidence(double usualMisfit) {
 	/** How much dearer the movie becomes with a visibly different contour in a frame. */
 	static double gap(final TrellisPath path, final List<Fit> pool, final int frame) {
 		final Fit chosen = pool.get(path.choice()[frame]);
-		return path.gap(frame, v -> pool.get(v).chain().distance(chosen.chain()) > TrackTuning.VISIBLE);
+		return path.gap(frame,
+			v -> pool.get(v).chain().distance(chosen.chain()) > TrackTuning.VISIBLE);
 	}
 
 	/** A gap as a figure: 1 if there is none, falling to 0. */

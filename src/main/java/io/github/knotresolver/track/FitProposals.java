@@ -43,8 +43,8 @@ record FitProposals(FrameView frame, FilamentEstimate estimate, int links, boole
 	List<Fit> of(final CandidateSet set, final FilamentFitter fitter, final FilamentFitter stiff,
 		final Predicate<Polyline> wanted) {
 		final FitPool pool = new FitPool();
-		set.candidates().stream().map(ContourBuilder::smooth).filter(wanted).limit(TrackTuning.DRAWN)
-			.map(c -> start(c, estimate.fixedEnd())).forEach(start -> pool
+		set.candidates().stream().map(ContourBuilder::smooth).filter(wanted)
+			.limit(TrackTuning.DRAWN).map(c -> start(c, estimate.fixedEnd())).forEach(start -> pool
 				.add(fitter.fit(stiff.fit(start, Optional.empty()).chain(), Optional.empty())));
 		return pool.fits();
 	}

@@ -154,8 +154,8 @@ public final class FitResolver {
 		final List<Sighting> sightings = Sightings.choose(steady, first);
 		return sightings.isEmpty()
 			? Optional.empty()
-			: estimate(sightings, fixedEnd, length, endsFree).map(e -> new Seen(steady,
-				course(steady, first, e, ends, length, endsFree)
+			: estimate(sightings, fixedEnd, length, endsFree)
+				.map(e -> new Seen(steady, course(steady, first, e, ends, length, endsFree)
 					.withNoise(Calming.noise(focused, workers) / e.amplitude())));
 	}
 
@@ -266,9 +266,8 @@ public final class FitResolver {
 			if (course.length().isOpen(t))
 				fits.addAll(new FitProposals(frames.get(t), course.otherIn(t), links, false)
 					.of(candidates(frames.get(t), course.otherIn(t)), fitter, stiff));
-			fits.stream().min(Comparator.comparingDouble(Fit::energy))
-				.ifPresent(best -> progress.sighted(frames.get(t).frame(),
-					List.of(best.chain().contour())));
+			fits.stream().min(Comparator.comparingDouble(Fit::energy)).ifPresent(
+				best -> progress.sighted(frames.get(t).frame(), List.of(best.chain().contour())));
 			return fits;
 		});
 	}

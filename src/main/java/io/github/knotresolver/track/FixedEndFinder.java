@@ -55,12 +55,14 @@ public final class FixedEndFinder {
 		if (paths.isEmpty())
 			return Optional.empty();
 		final double most = paths.get(0).votes();
-		final List<Contender> contenders = paths.stream().filter(p -> p.votes() >= TrackTuning.CONTENDER * most)
-			.map(FixedEndFinder::contender).toList();
+		final List<Contender> contenders = paths.stream()
+			.filter(p -> p.votes() >= TrackTuning.CONTENDER * most).map(FixedEndFinder::contender)
+			.toList();
 		final double stillest = contenders.stream().mapToDouble(Contender::together).max()
 			.orElse(0);
-		return contenders.stream().min(Comparator.comparingDouble(
-			c -> price(c.path) + TrackTuning.FEWER_VOTES * (2 - c.path.votes() / most - c.together / stillest)))
+		return contenders.stream()
+			.min(Comparator.comparingDouble(c -> price(c.path)
+				+ TrackTuning.FEWER_VOTES * (2 - c.path.votes() / most - c.together / stillest)))
 			.map(c -> place(c.path));
 	}
 
@@ -72,7 +74,8 @@ public final class FixedEndFinder {
 	}
 
 	private static double together(final End end, final EndPath path) {
-		return path.ends().stream().filter(e -> e.at().distanceTo(end.at()) <= TrackTuning.SAME_PLACE)
+		return path.ends().stream()
+			.filter(e -> e.at().distanceTo(end.at()) <= TrackTuning.SAME_PLACE)
 			.mapToDouble(End::vote).sum();
 	}
 
@@ -96,7 +99,8 @@ public final class FixedEndFinder {
 					progress)
 				.candidates();
 			sum += best.isEmpty() ? TrackTuning.NO_TRAIL : best.get(0).price().total();
-			sum += Math.min(TrackTuning.NO_TRAIL, Math.max(0, frame.distance(anchor.at(t)) - TrackTuning.ASIDE));
+			sum += Math.min(TrackTuning.NO_TRAIL,
+				Math.max(0, frame.distance(anchor.at(t)) - TrackTuning.ASIDE));
 		}
 		return sum / tries;
 	}

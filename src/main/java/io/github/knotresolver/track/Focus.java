@@ -88,8 +88,7 @@ record Focus(double[] widening, double[] brightness) {
 		final double[] steady = Arrays.stream(medians(widths, STEADY)).filter(Double::isFinite)
 			.sorted().toArray();
 		final int tenth = steady.length / 10;
-		return steady.length > STEADY
-			&& steady[steady.length - 1 - tenth] > CHANGE * steady[tenth];
+		return steady.length > STEADY && steady[steady.length - 1 - tenth] > CHANGE * steady[tenth];
 	}
 
 	/** The median of each value and its neighbours in time, as far as they are known. */

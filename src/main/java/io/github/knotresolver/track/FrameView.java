@@ -22,8 +22,8 @@ import io.github.knotresolver.image.FrameEvidence;
  * @param evidence what is known of the lines beyond mask and graph, in the same pixels;
  *          empty if masks were made by thresholds
  */
-public record FrameView(int frame, NormalizedFrame light, Supplier<Img<BitType>> masks, SkeletonGraph graph,
-	Optional<FrameEvidence> evidence) {
+public record FrameView(int frame, NormalizedFrame light, Supplier<Img<BitType>> masks,
+	SkeletonGraph graph, Optional<FrameEvidence> evidence) {
 
 	/**
 	 * A frame whose mask was made by a threshold.

@@ -81,7 +81,8 @@ final class FreeEnds {
 			final double length = segments.stream().mapToDouble(Segment::length).sum();
 			if (length < TrackTuning.SPECK)
 				continue;
-			final double vote = segments.stream().mapToDouble(this::moving).sum() + TrackTuning.STILL_VOTE * length;
+			final double vote = segments.stream().mapToDouble(this::moving).sum()
+				+ TrackTuning.STILL_VOTE * length;
 			part.stream().filter(Node::isFreeEnd).sorted(Comparator.comparingInt(Node::id))
 				.forEach(n -> ends.add(new End(t, n.position(), outward(n, segments),
 					atBorder(frame, n.position()) ? TrackTuning.AT_BORDER * vote : vote)));

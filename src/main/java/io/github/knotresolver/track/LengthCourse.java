@@ -132,8 +132,8 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 
 		Optional<LengthCourse> best() {
 			final Stream<LengthCourse> broken = IntStream
-				.rangeClosed(TrackTuning.BESIDE_BREAK, known.length - TrackTuning.BESIDE_BREAK).boxed()
-				.flatMap(k -> Stream.of(broken(k, false), broken(k, true)));
+				.rangeClosed(TrackTuning.BESIDE_BREAK, known.length - TrackTuning.BESIDE_BREAK)
+				.boxed().flatMap(k -> Stream.of(broken(k, false), broken(k, true)));
 			return Stream
 				.concat(Stream.of(constant(median(known), frames), steady(), wandering()), broken)
 				.min(Comparator.comparingDouble(this::price));

@@ -61,7 +61,8 @@ public final class LengthEstimator {
 		final double median = median(values);
 		final double spread = RobustStatistics.MAD_TO_SD
 			* median(Arrays.stream(values).map(v -> Math.abs(v - median)).toArray());
-		final double tolerance = Math.max(TrackTuning.SKELETON_OUTLIER * spread, TrackTuning.SKELETON_TOLERANCE * median);
+		final double tolerance = Math.max(TrackTuning.SKELETON_OUTLIER * spread,
+			TrackTuning.SKELETON_TOLERANCE * median);
 		return median(
 			Arrays.stream(values).filter(v -> Math.abs(v - median) <= tolerance).toArray());
 	}
@@ -71,6 +72,7 @@ public final class LengthEstimator {
 	}
 
 	private static boolean endsNear(final SkeletonGraph graph, final Point fixedEnd) {
-		return graph.freeEnds().stream().anyMatch(n -> n.position().distanceTo(fixedEnd) <= GraphTuning.NEAR_CLAMP);
+		return graph.freeEnds().stream()
+			.anyMatch(n -> n.position().distanceTo(fixedEnd) <= GraphTuning.NEAR_CLAMP);
 	}
 }

@@ -52,8 +52,8 @@ record Lengths(double[] whole, double longestCut, double cutShare,
 		if (whole.length < TrackTuning.WHOLE_FRAMES)
 			return estimate.withLength(Math.max(estimate.length(), longestCut));
 		final double middle = median(whole);
-		final double[] good = Arrays.stream(whole).filter(l -> Math.abs(l / middle - 1) < TrackTuning.WHOLE_OUTLIER)
-			.toArray();
+		final double[] good = Arrays.stream(whole)
+			.filter(l -> Math.abs(l / middle - 1) < TrackTuning.WHOLE_OUTLIER).toArray();
 		final double length = median(good);
 		final double spread = median(Arrays.stream(good).map(l -> Math.abs(l - length)).toArray());
 		return estimate.withLength(length, MEDIAN_ERROR * spread / Math.sqrt(good.length));

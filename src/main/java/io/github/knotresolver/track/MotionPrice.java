@@ -71,6 +71,7 @@ record MotionPrice(double usualMotion, double usualTurn) {
 	}
 
 	private static double price(final double multiple) {
-		return TrackTuning.USUAL_MOTION * multiple + TrackTuning.FURTHER_MOTION * Math.max(0, multiple - 1);
+		return TrackTuning.USUAL_MOTION * multiple
+			+ TrackTuning.FURTHER_MOTION * Math.max(0, multiple - 1);
 	}
 }

@@ -154,8 +154,8 @@ record OpenFrames(List<Seen> seen) {
 		final Chain settled = ends.settled(first);
 		final Chain chain = settled == first
 			? first
-			: new FilamentFitter(frame, estimate.model(), links, Optional.empty(),
-				endsFree).fit(settled, Optional.empty()).chain();
+			: new FilamentFitter(frame, estimate.model(), links, Optional.empty(), endsFree)
+				.fit(settled, Optional.empty()).chain();
 		if (Math.abs(chain.length() / contour.length() - 1) > ASTRAY
 			|| FitQuality.of(frame, estimate.model(), chain).dark() > DARK)
 			return Optional.empty();

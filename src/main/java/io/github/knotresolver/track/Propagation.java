@@ -120,8 +120,9 @@ final class Propagation {
 
 	/** Whether a fit is one that is known, or so much dearer that it will never be taken. */
 	private static boolean isKnown(final Fit fit, final List<Fit> known) {
-		return known.stream().anyMatch(k -> FitPool.isSame(k, fit)) || fit.energy() > TrackTuning.HOPELESS
-			+ known.stream().mapToDouble(Fit::energy).min().orElse(fit.energy());
+		return known.stream().anyMatch(k -> FitPool.isSame(k, fit))
+			|| fit.energy() > TrackTuning.HOPELESS
+				+ known.stream().mapToDouble(Fit::energy).min().orElse(fit.energy());
 	}
 
 	/** The hypotheses as they would be if the filament moved with its anchor only. */
@@ -141,10 +142,11 @@ final class Propagation {
 		for (final Hypothesis h : beam) {
 			final List<Fit> fits = new ArrayList<>();
 			final Chain here = h.fit.chain();
-			final Optional<Chain> heading = h.before.map(b -> here.extrapolated(b, TrackTuning.INERTIA));
+			final Optional<Chain> heading = h.before
+				.map(b -> here.extrapolated(b, TrackTuning.INERTIA));
 			final List<Chain> starts = new ArrayList<>(List.of(here));
-			h.before.map(b -> here.extrapolated(b, 1)).filter(s -> s.distance(here) > TrackTuning.SLOW)
-				.ifPresent(starts::add);
+			h.before.map(b -> here.extrapolated(b, 1))
+				.filter(s -> s.distance(here) > TrackTuning.SLOW).ifPresent(starts::add);
 			for (final Chain start : starts)
 				fits.add(fitter.fit(start, Optional.of(heading.orElse(here))));
 			for (final Chain start : wound.of(here, fitter))

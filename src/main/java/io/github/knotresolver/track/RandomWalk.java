@@ -48,7 +48,8 @@ record RandomWalk(double[] mean, double[] sd) {
 		for (int round = 0; round < TrackTuning.WALK_ROUNDS; round++) {
 			for (int t = 0; t < seen.length; t++)
 				if (Double.isFinite(seen[t])) {
-					final double off = Math.abs(seen[t] - walk.mean[t]) / (TrackTuning.WALK_OUTLIER / 2 * noise[t]);
+					final double off = Math.abs(seen[t] - walk.mean[t])
+						/ (TrackTuning.WALK_OUTLIER / 2 * noise[t]);
 					believed[t] = noise[t] * Math.max(1, off);
 				}
 			walk = new Filter(seen, steps, believed).smoothed();
@@ -63,8 +64,10 @@ record RandomWalk(double[] mean, double[] sd) {
 		Arrays.fill(variance, step * step);
 		for (int k = TrackTuning.JUMP_WINDOW; k <= known.length - TrackTuning.JUMP_WINDOW; k++) {
 			final int from = known[k - 1], to = known[k];
-			final double jump = median(seen, known, k) - median(seen, known, k - TrackTuning.JUMP_WINDOW);
-			final double usual = step * step * (known[k + TrackTuning.JUMP_WINDOW - 1] - known[k - TrackTuning.JUMP_WINDOW])
+			final double jump = median(seen, known, k)
+				- median(seen, known, k - TrackTuning.JUMP_WINDOW);
+			final double usual = step * step
+				* (known[k + TrackTuning.JUMP_WINDOW - 1] - known[k - TrackTuning.JUMP_WINDOW])
 				+ noise[from] * noise[from] + noise[to] * noise[to];
 			if (jump * jump > TrackTuning.WALK_JUMP * TrackTuning.WALK_JUMP * usual)
 				for (int t = from + 1; t <= to; t++)
@@ -106,8 +109,8 @@ record RandomWalk(double[] mean, double[] sd) {
 						v = r;
 					} else {
 						final double expected = v + r;
-						price += Math.min(TrackTuning.WALK_OUTLIER * TrackTuning.WALK_OUTLIER, off * off / expected)
-							+ Math.log(expected);
+						price += Math.min(TrackTuning.WALK_OUTLIER * TrackTuning.WALK_OUTLIER,
+							off * off / expected) + Math.log(expected);
 						m += v / expected * off;
 						v = v * r / expected;
 					}

@@ -38,7 +38,8 @@ record Restriction(List<Constraint> constraints, double sigma) {
 	}
 
 	private boolean isMetBy(final Polyline contour, final double slack) {
-		final double reach = slack * Math.max(TrackTuning.SHOWN_LEAST, TrackTuning.SHOWN_WIDTHS * sigma);
+		final double reach = slack
+			* Math.max(TrackTuning.SHOWN_LEAST, TrackTuning.SHOWN_WIDTHS * sigma);
 		return constraints.stream().allMatch(c -> switch (c.kind()) {
 			case CONTOUR, SWAP, CHECKED -> true;
 			case TIP -> contour.last().distanceTo(c.shape().first()) <= reach;

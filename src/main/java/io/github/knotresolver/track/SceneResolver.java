@@ -165,8 +165,8 @@ public final class SceneResolver {
 			final Settled f = filaments.get(k);
 			final double error = lengths.get(k).error();
 			final double[] gap = lengths.get(k).changes() ? inDoubt(f.gap()) : f.gap();
-			measured.add(new Settled(f.chains(), gap,
-				Double.isFinite(error) ? error : f.lengthError()));
+			measured.add(
+				new Settled(f.chains(), gap, Double.isFinite(error) ? error : f.lengthError()));
 		}
 		return measured;
 	}

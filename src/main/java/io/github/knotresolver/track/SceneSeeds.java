@@ -71,8 +71,8 @@ final class SceneSeeds {
 		final List<Integer> frames = List.copyOf(needed);
 		final SceneSeeder seeder = new SceneSeeder(line.tables(), weights);
 		final List<List<Chain>> chains = workers.map("Looking for filaments", progress,
-			frames.size(), i -> seeder.chains(line.frames().get(frames.get(i)),
-				pool.known(frames.get(i))));
+			frames.size(),
+			i -> seeder.chains(line.frames().get(frames.get(i)), pool.known(frames.get(i))));
 		final List<SceneSeed> seeds = new ArrayList<>();
 		for (final int t : middles) {
 			final List<List<Chain>> beside = new ArrayList<>();
@@ -115,7 +115,8 @@ final class SceneSeeds {
 			return another;
 		final List<Integer> frames = first.stream().map(SceneSeed::frame)
 			.filter(t -> used.stream().noneMatch(u -> u.frame() == t))
-			.filter(t -> pool.coverage(t) < ALL).sorted(Comparator.comparingDouble(pool::coverage).reversed()).limit(AGAIN).toList();
+			.filter(t -> pool.coverage(t) < ALL)
+			.sorted(Comparator.comparingDouble(pool::coverage).reversed()).limit(AGAIN).toList();
 		return at(frames, pool, workers, progress).stream().findFirst();
 	}
 

@@ -97,8 +97,8 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 			for (int k = 0; k < usual.length; k++) {
 				final double haste = haste(chains.get(k), t) / usual[k];
 				final SceneConfidence confidence = new SceneConfidence(settled.get(k).gap()[t],
-					left.worst(here.get(k)), SceneConfidence.dark(frame.light(), here.get(k)), haste,
-					elsewhere[k]);
+					left.worst(here.get(k)), SceneConfidence.dark(frame.light(), here.get(k)),
+					haste, elsewhere[k]);
 				observed.get(k).add(observation(frame, here.get(k), confidence));
 			}
 		}
@@ -109,8 +109,8 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 				specks++;
 			else
 				filaments.add(new Filament(ends.get(k).clamped(), ends.get(k).roams(),
-					chains.get(k).get(0).length(),
-					settled.get(k).lengthError(), SceneConfidence.together(observed.get(k))));
+					chains.get(k).get(0).length(), settled.get(k).lengthError(),
+					SceneConfidence.together(observed.get(k))));
 		filaments.sort(ORDER);
 		final List<String> notes = new ArrayList<>(new DoubtfulEpisodes(filaments).notes());
 		if (specks > 0)
@@ -139,8 +139,8 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 	 * @return whether there is one filament, and nothing speaks for its being free
 	 */
 	public boolean isOneClamped() {
-		return filaments.size() == 1
-			&& (filaments.get(0).clamped() || !filaments.get(0).roams() && filaments.get(0).meanConfidence() < CREDIBLE);
+		return filaments.size() == 1 && (filaments.get(0).clamped()
+			|| !filaments.get(0).roams() && filaments.get(0).meanConfidence() < CREDIBLE);
 	}
 
 	private static double haste(final List<Chain> chains, final int t) {

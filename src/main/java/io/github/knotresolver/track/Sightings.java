@@ -57,7 +57,8 @@ final class Sightings {
 		final double[] lengths = from.stream().mapToDouble(s -> s.contour.length()).sorted()
 			.toArray();
 		final double length = lengths[(int) (lengths.length * TrackTuning.SIGHTED_QUANTILE)];
-		return from.stream().filter(s -> Math.abs(s.contour.length() / length - 1) < TrackTuning.SIGHTED_TOLERANCE)
+		return from.stream()
+			.filter(s -> Math.abs(s.contour.length() / length - 1) < TrackTuning.SIGHTED_TOLERANCE)
 			.sorted(Comparator.comparingDouble(Seen::price)).limit(TrackTuning.SIGHTINGS)
 			.map(s -> new Sighting(s.frame.light(), s.contour)).toList();
 	}

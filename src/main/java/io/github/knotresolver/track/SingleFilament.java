@@ -48,14 +48,15 @@ public final class SingleFilament {
 			}
 		}
 		return seen > 0 && alone >= TrackTuning.NEARLY_ALL * seen
-			&& open.size() >= Math.min(TrackTuning.FEWEST_OPEN, (seen + 1) / 2) && staysInPlace(open);
+			&& open.size() >= Math.min(TrackTuning.FEWEST_OPEN, (seen + 1) / 2)
+			&& staysInPlace(open);
 	}
 
 	private static List<Set<Node>> objects(final SkeletonGraph graph) {
 		final List<Set<Node>> parts = new ConnectivityInspector<>(graph.asGraph()).connectedSets();
 		final double longest = parts.stream().mapToDouble(p -> length(graph, p)).max().orElse(0);
-		return parts.stream()
-			.filter(p -> length(graph, p) >= Math.max(TrackTuning.SINGLE_SPECK, TrackTuning.SINGLE_SPECK_SHARE * longest)).toList();
+		return parts.stream().filter(p -> length(graph, p) >= Math.max(TrackTuning.SINGLE_SPECK,
+			TrackTuning.SINGLE_SPECK_SHARE * longest)).toList();
 	}
 
 	private static double length(final SkeletonGraph graph, final Set<Node> part) {
@@ -70,7 +71,8 @@ public final class SingleFilament {
 		for (final Segment s : graph.segments())
 			if (kept.contains(s.source()))
 				for (final Node node : List.of(s.source(), s.target()))
-					if (node.isFreeEnd() && (s.length() >= TrackTuning.SINGLE_SPUR || graph.isUnbranched()))
+					if (node.isFreeEnd()
+						&& (s.length() >= TrackTuning.SINGLE_SPUR || graph.isUnbranched()))
 						ends.add(node.position());
 		return ends;
 	}
@@ -83,7 +85,8 @@ public final class SingleFilament {
 				ends.add(new End(t, place, 0, 1));
 		return EndPaths.best(ends, 2, Progress.NONE).stream()
 			.anyMatch(p -> p.ends().size() >= TrackTuning.CLAMP_SEEN * open.size()
-				&& p.votes() >= TrackTuning.CLAMP_VOTES * p.ends().size() && range(p) <= TrackTuning.STAGE);
+				&& p.votes() >= TrackTuning.CLAMP_VOTES * p.ends().size()
+				&& range(p) <= TrackTuning.STAGE);
 	}
 
 	private static double range(final EndPath path) {

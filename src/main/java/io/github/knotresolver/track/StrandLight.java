@@ -36,8 +36,8 @@ record StrandLight(double[] light, boolean open) {
 			? 0
 			: lengths[(int) (TrackTuning.LONGEST * (lengths.length - 1))];
 		final int[] open = IntStream.range(0, frames.size())
-			.filter(t -> frames.get(t).graph().junctions() == 0
-				&& contours.get(t).filter(c -> c.length() >= TrackTuning.OPEN_LENGTH * longest).isPresent())
+			.filter(t -> frames.get(t).graph().junctions() == 0 && contours.get(t)
+				.filter(c -> c.length() >= TrackTuning.OPEN_LENGTH * longest).isPresent())
 			.toArray();
 		final boolean enough = open.length >= TrackTuning.LIGHT_FRAMES
 			&& open[open.length - 1] - open[0] >= TrackTuning.LIGHT_SPAN * (frames.size() - 1);

@@ -77,8 +77,7 @@ final class TailExchanges {
 			decide(filaments, i, j, others);
 	}
 
-	private boolean mayTouch(final List<Settled> filaments, final int i, final int j,
-		final int t) {
+	private boolean mayTouch(final List<Settled> filaments, final int i, final int j, final int t) {
 		final Chain a = filaments.get(i).chains().get(t), b = filaments.get(j).chains().get(t);
 		return a.start().distanceTo(b.start()) < a.length() + b.length()
 			&& !TailSwap.exchanged(a, b, LENGTH).isEmpty();
@@ -112,16 +111,16 @@ final class TailExchanges {
 				heads = better;
 		}
 		return Stream.of(tails, heads).filter(Objects::nonNull)
-			.map(p -> fitted(scene, i, j, p, before))
-			.filter(e -> shows(e.a, a) && shows(e.b, b)).toList();
+			.map(p -> fitted(scene, i, j, p, before)).filter(e -> shows(e.a, a) && shows(e.b, b))
+			.toList();
 	}
 
 	private static boolean shows(final Chain other, final Chain chain) {
 		return other.farthest(chain) > Hypotheses.VISIBLE;
 	}
 
-	private Exchanged fitted(final Scene scene, final int i, final int j,
-		final TailSwap.Pair start, final double before) {
+	private Exchanged fitted(final Scene scene, final int i, final int j, final TailSwap.Pair start,
+		final double before) {
 		scene.put(j, start.b());
 		final Chain first = fit(scene, start.a());
 		scene.take(j);
@@ -151,13 +150,13 @@ final class TailExchanges {
 		final Settled first = filaments.get(i), second = filaments.get(j);
 		final List<double[]> prices = new ArrayList<>();
 		for (final List<Exchanged> other : others)
-			prices.add(DoubleStream.concat(DoubleStream.of(0), other.stream().mapToDouble(e -> e.more))
-				.toArray());
+			prices.add(DoubleStream
+				.concat(DoubleStream.of(0), other.stream().mapToDouble(e -> e.more)).toArray());
 		final double usualFirst = SceneSettler.usualMotion(first.chains());
 		final double usualSecond = SceneSettler.usualMotion(second.chains());
 		final TrellisPath path = Trellis.solve(prices,
-			(t, v, u, w) -> SceneSettler.motion(
-				chain(first, others, t, v, true).distance(chain(first, others, u, w, true))
+			(t, v, u, w) -> SceneSettler
+				.motion(chain(first, others, t, v, true).distance(chain(first, others, u, w, true))
 					/ usualFirst)
 				+ SceneSettler.motion(
 					chain(second, others, t, v, false).distance(chain(second, others, u, w, false))

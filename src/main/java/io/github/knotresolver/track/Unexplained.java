@@ -32,7 +32,8 @@ final class Unexplained {
 		height = left.height();
 		map = left.pixels();
 		stamp = new int[map.length];
-		final double floor = Math.max(TrackTuning.RESIDUE_LEAST, Math.pow(TrackTuning.RESIDUE_NOISES * CALMED * noise, 2));
+		final double floor = Math.max(TrackTuning.RESIDUE_LEAST,
+			Math.pow(TrackTuning.RESIDUE_NOISES * CALMED * noise, 2));
 		for (int i = 0; i < map.length; i++) {
 			final double square = map[i] * map[i];
 			map[i] = Math.max(0, square / (1 + square / TrackTuning.RESIDUE_LEVEL) - floor);
@@ -73,13 +74,14 @@ final class Unexplained {
 
 	private double aroundNode(final double x, final double y) {
 		double sum = 0;
-		for (int row = Math.max(0, (int) Math.ceil(y - TrackTuning.RESIDUE_NEAR)); row <= Math.min(height - 1,
-			(int) Math.floor(y + TrackTuning.RESIDUE_NEAR)); row++)
-			for (int c = Math.max(0, (int) Math.ceil(x - TrackTuning.RESIDUE_NEAR)); c <= Math.min(width - 1,
-				(int) Math.floor(x + TrackTuning.RESIDUE_NEAR)); c++) {
+		for (int row = Math.max(0, (int) Math.ceil(y - TrackTuning.RESIDUE_NEAR)); row <= Math
+			.min(height - 1, (int) Math.floor(y + TrackTuning.RESIDUE_NEAR)); row++)
+			for (int c = Math.max(0, (int) Math.ceil(x - TrackTuning.RESIDUE_NEAR)); c <= Math
+				.min(width - 1, (int) Math.floor(x + TrackTuning.RESIDUE_NEAR)); c++) {
 				final int at = row * width + c;
 				if (stamp[at] != stamps
-					&& (c - x) * (c - x) + (row - y) * (row - y) <= TrackTuning.RESIDUE_NEAR * TrackTuning.RESIDUE_NEAR) {
+					&& (c - x) * (c - x) + (row - y) * (row - y) <= TrackTuning.RESIDUE_NEAR
+						* TrackTuning.RESIDUE_NEAR) {
 					stamp[at] = stamps;
 					sum += map[at];
 				}

@@ -44,7 +44,8 @@ final class UnexplainedLight {
 		scene.chains().forEach(c -> curves.add(c.polyline()));
 		final List<Polyline> added = new ArrayList<>();
 		for (final Polyline stretch : stretches(scene.residual()))
-			if (stretch.length() >= EXTENDS && !extend(curves, stretch, held) && stretch.length() > OWN)
+			if (stretch.length() >= EXTENDS && !extend(curves, stretch, held)
+				&& stretch.length() > OWN)
 				added.add(stretch);
 		curves.addAll(added);
 		final List<Chain> chains = new ArrayList<>();

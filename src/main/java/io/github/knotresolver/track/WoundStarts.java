@@ -39,7 +39,8 @@ record WoundStarts(double reach) {
 			}
 		rough.sort(Comparator.comparingDouble(Fit::energy));
 		for (final Fit f : rough)
-			if (starts.size() < TrackTuning.WOUND_BEST && starts.stream().allMatch(s -> s.distance(f.chain()) > TrackTuning.WOUND_SAME))
+			if (starts.size() < TrackTuning.WOUND_BEST
+				&& starts.stream().allMatch(s -> s.distance(f.chain()) > TrackTuning.WOUND_SAME))
 				starts.add(f.chain());
 		return starts;
 	}

@@ -35,7 +35,8 @@ import io.github.knotresolver.imagej.form.FormField;
 final class FieldEditor {
 
 	private static final int WIDE = 26, NARROW = 8;
-	private static final Color MARKED = new Color(255, 205, 205), EDGE = new Color(0xa0, 0x00, 0x00);
+	private static final Color MARKED = new Color(255, 205, 205),
+		EDGE = new Color(0xa0, 0x00, 0x00);
 
 	private final FormField field;
 	private final Runnable changed;
@@ -125,10 +126,9 @@ final class FieldEditor {
 		final String present = text();
 		final JFileChooser chooser = new JFileChooser(
 			present.isBlank() ? OpenDialog.getDefaultDirectory() : new File(present).getParent());
-		chooser.setFileSelectionMode(
-			field.kind() == FieldKind.FOLDER
-				? JFileChooser.DIRECTORIES_ONLY
-				: JFileChooser.FILES_AND_DIRECTORIES);
+		chooser.setFileSelectionMode(field.kind() == FieldKind.FOLDER
+			? JFileChooser.DIRECTORIES_ONLY
+			: JFileChooser.FILES_AND_DIRECTORIES);
 		if (chooser.showDialog(input, "Choose") == JFileChooser.APPROVE_OPTION)
 			((JTextField) input).setText(chooser.getSelectedFile().getPath());
 	}

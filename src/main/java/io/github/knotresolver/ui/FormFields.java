@@ -113,7 +113,8 @@ final class FormFields implements ImageListener, AutoCloseable {
 		final Dimension size = advanced.getPreferredSize();
 		final int most = (int) (SHARE * GUI.getMaxWindowBounds(panel).height);
 		if (size.height > most) {
-			final int bar = ((JScrollPane) advanced).getVerticalScrollBar().getPreferredSize().width;
+			final int bar = ((JScrollPane) advanced).getVerticalScrollBar()
+				.getPreferredSize().width;
 			advanced.setPreferredSize(new Dimension(size.width + bar, most));
 		}
 		advanced.setVisible(wanted);
@@ -171,8 +172,7 @@ final class FormFields implements ImageListener, AutoCloseable {
 		final FieldEditor editor = editors.get(field.name());
 		if (editor == null)
 			return;
-		if (groups.advanced().stream().anyMatch(g -> g.names().contains(field.name()))
-			&& !isOpen())
+		if (groups.advanced().stream().anyMatch(g -> g.names().contains(field.name())) && !isOpen())
 			open(true);
 		editor.mark();
 	}
@@ -258,8 +258,8 @@ final class FormFields implements ImageListener, AutoCloseable {
 			place.fill = fill;
 			place.anchor = GridBagConstraints.LINE_START;
 			place.weightx = fill == GridBagConstraints.NONE ? 0 : 1;
-			place.insets = new Insets(GAP / 2, column > 0 && fill == GridBagConstraints.NONE ? 12 : 2,
-				GAP / 2, 2);
+			place.insets = new Insets(GAP / 2,
+				column > 0 && fill == GridBagConstraints.NONE ? 12 : 2, GAP / 2, 2);
 			panel.add(part, place);
 		}
 	}

@@ -53,10 +53,11 @@ final class FrameStrip extends JComponent {
 	@Override
 	public String getToolTipText(final MouseEvent e) {
 		final int frame = frameAt(e.getX()), objects = model.objects()[frame - 1];
-		return "frame " + frame + (objects < 0
-			? ": not looked at yet"
-			: ": " + objects + (objects == 1 ? " object, " : " objects, ")
-				+ model.areas()[frame - 1] + " px");
+		return "frame " + frame
+			+ (objects < 0
+				? ": not looked at yet"
+				: ": " + objects + (objects == 1 ? " object, " : " objects, ")
+					+ model.areas()[frame - 1] + " px");
 	}
 
 	@Override
@@ -77,7 +78,8 @@ final class FrameStrip extends JComponent {
 		final int mark = Math.max(5, getHeight() / 8), room = getHeight() - mark - 1;
 		for (int t = 0; t < objects.length; t++) {
 			final int left = left(t), width = Math.max(1, left(t + 1) - left),
-				gap = width > 4 ? 1 : 0, height = Math.max(1, (int) ((long) room * areas[t] / most));
+				gap = width > 4 ? 1 : 0,
+				height = Math.max(1, (int) ((long) room * areas[t] / most));
 			g.setColor(objects[t] < 0 ? UNKNOWN : objects[t] > 1 ? SEVERAL : ONE);
 			if (objects[t] == 0) {
 				g.setColor(Color.WHITE);

@@ -47,8 +47,7 @@ final class Sentences extends JPanel {
 
 	private boolean show(final List<String> sentences, final String mark) {
 		final List<String> wanted = sentences.stream().map(n -> mark + n).toList();
-		if (wanted
-			.equals(Arrays.stream(getComponents()).map(c -> ((Lines) c).sentence).toList()))
+		if (wanted.equals(Arrays.stream(getComponents()).map(c -> ((Lines) c).sentence).toList()))
 			return false;
 		removeAll();
 		wanted.forEach(n -> add(new Lines(n, getForeground())));

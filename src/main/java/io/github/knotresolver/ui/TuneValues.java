@@ -32,9 +32,8 @@ final class TuneValues {
 		final JPanel grid = new JPanel(new GridLayout(0, 4, GAP, GAP));
 		automatic.setName("automatic threshold");
 		automatic.setToolTipText("Otsu's threshold, made local, in each frame");
-		automatic.addActionListener(e -> model.set("threshold", automatic.isSelected()
-			? "otsu"
-			: number(model.automatic().orElse(0.5), 2)));
+		automatic.addActionListener(e -> model.set("threshold",
+			automatic.isSelected() ? "otsu" : number(model.automatic().orElse(0.5), 2)));
 		spinner(grid, "threshold", "Threshold (0..1)",
 			"Brightness above which a pixel starts as filament, of the stretched frame",
 			new SpinnerNumberModel(0.5, 0, 1, 0.01));
@@ -56,8 +55,8 @@ final class TuneValues {
 		return grid;
 	}
 
-	private void spinner(final JPanel grid, final String key, final String words,
-		final String help, final SpinnerNumberModel numbers) {
+	private void spinner(final JPanel grid, final String key, final String words, final String help,
+		final SpinnerNumberModel numbers) {
 		final JSpinner spinner = new JSpinner(numbers);
 		final JLabel label = new JLabel(words);
 		label.setLabelFor(spinner);
@@ -89,7 +88,8 @@ final class TuneValues {
 				: Double.parseDouble(text);
 			final JSpinner spinner = spinners.get(key);
 			if (((Number) spinner.getValue()).doubleValue() != value)
-				spinner.setValue(spinner.getValue() instanceof Integer ? (Object) (int) value : value);
+				spinner
+					.setValue(spinner.getValue() instanceof Integer ? (Object) (int) value : value);
 		});
 		automatic.setSelected(model.threshold().isEmpty());
 		refreshing = false;

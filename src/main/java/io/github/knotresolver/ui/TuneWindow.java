@@ -100,8 +100,8 @@ public final class TuneWindow implements ImageListener {
 		final JPanel all = new JPanel();
 		all.setLayout(new BoxLayout(all, BoxLayout.Y_AXIS));
 		all.setBorder(BorderFactory.createEmptyBorder(GAP, GAP, GAP, GAP));
-		for (final Component part : List.of(line, histogram, values.panel(),
-			new JLabel("Over the movie: size of the mask; orange with a mark: several objects; cross: none"),
+		for (final Component part : List.of(line, histogram, values.panel(), new JLabel(
+			"Over the movie: size of the mask; orange with a mark: several objects; cross: none"),
 			strip, parts(), buttons(), said)) {
 			((JComponent) part).setAlignmentX(0);
 			all.add(part);
@@ -202,7 +202,8 @@ public final class TuneWindow implements ImageListener {
 				JOptionPane.YES_NO_OPTION) != JOptionPane.YES_OPTION)
 				return;
 			row.write(model.texts(), true);
-			said.setText("Written: the row of " + image.getTitle() + " in " + sheet.getName() + ".");
+			said.setText(
+				"Written: the row of " + image.getTitle() + " in " + sheet.getName() + ".");
 		} catch (final IOException | RuntimeException e) {
 			said.setText(Failure.of(e, "give Java more memory").sentence());
 		}

@@ -102,7 +102,8 @@ class BatchSubcommandTest {
 
 	@Test
 	void oddNameOfCorrectionsSpoilsItsRowOnly() throws IOException {
-		assertEquals(1, run(sheet("FileName,FolderPath,corrections", "a.tif,in,x\0y", "b.tif,in,")));
+		assertEquals(1,
+			run(sheet("FileName,FolderPath,corrections", "a.tif,in,x\0y", "b.tif,in,")));
 		assertEquals(List.of("", "b"), results());
 		assertTrue(stderr.toString().contains("corrections must be the name of a file, but is"),
 			stderr.toString());

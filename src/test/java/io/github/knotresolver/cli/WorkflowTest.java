@@ -39,8 +39,9 @@ class WorkflowTest {
 		final Path program = home.resolve("knot resolver");
 		Files.writeString(program,
 			"#!/bin/sh\nexec '" + Path.of(System.getProperty("java.home"), "bin", "java")
-				+ "' -XX:TieredStopAtLevel=1 -Djava.awt.headless=true -cp '" + System.getProperty("java.class.path") + "' "
-				+ KnotResolverMain.class.getName() + " \"$@\"\n");
+				+ "' -XX:TieredStopAtLevel=1 -Djava.awt.headless=true -cp '"
+				+ System.getProperty("java.class.path") + "' " + KnotResolverMain.class.getName()
+				+ " \"$@\"\n");
 		assertTrue(program.toFile().setExecutable(true));
 	}
 
@@ -58,7 +59,8 @@ class WorkflowTest {
 	@Test
 	void jobsMakeListPageAndTablesOfAllAndAreNotDoneTwice() throws Exception {
 		final Path out = home.resolve("out");
-		final String dry = run("--batch-size", "2", "--options", "--no-plots --no-refine", "--dry-run");
+		final String dry = run("--batch-size", "2", "--options", "--no-plots --no-refine",
+			"--dry-run");
 		assertTrue(dry.contains("This was a dry-run"), dry);
 		assertFalse(Files.exists(out.resolve("batch.csv")));
 		final String log = run("--batch-size", "2", "--options", "--no-plots --no-refine");

@@ -23,9 +23,8 @@ import java.util.TreeSet;
 import java.util.concurrent.CopyOnWriteArraySet;
 import java.util.concurrent.atomic.AtomicBoolean;
 
-import javax.swing.JLabel;
-
 import javax.swing.JCheckBox;
+import javax.swing.JLabel;
 import javax.swing.JTextField;
 
 import ij.IJ;
@@ -490,7 +489,8 @@ final class DialogsMain {
 
 	private static Optional<Frame> measurements() {
 		return Arrays.stream(Frame.getFrames())
-			.filter(f -> f.isShowing() && f.getTitle().equals("Measurements of measured")).findAny();
+			.filter(f -> f.isShowing() && f.getTitle().equals("Measurements of measured"))
+			.findAny();
 	}
 
 	/** Starts, fills in the frames, and presses OK. */

@@ -32,10 +32,9 @@ class FormTest {
 
 	static Stream<KnotCommand> commands() {
 		return Stream.of(new ResolveFilamentCommand(), new TuneSegmentationCommand(),
-			new ReviewResultCommand(),
-			new CorrectFrameCommand(), new MeasureContoursCommand(), new BatchCommand(),
-			new SimulateMovieCommand(), new EvaluateCommand(), new SampleCommand(),
-			new CiteCommand());
+			new ReviewResultCommand(), new CorrectFrameCommand(), new MeasureContoursCommand(),
+			new BatchCommand(), new SimulateMovieCommand(), new EvaluateCommand(),
+			new SampleCommand(), new CiteCommand());
 	}
 
 	@ParameterizedTest
@@ -56,9 +55,10 @@ class FormTest {
 
 	@Test
 	void everyFieldOfResolveIsInOneGroup() {
-		final List<String> grouped = Stream.concat(ResolveGroups.ALL.basic().stream(),
-			ResolveGroups.ALL.advanced().stream().flatMap(g -> g.names().stream())).sorted()
-			.toList();
+		final List<String> grouped = Stream
+			.concat(ResolveGroups.ALL.basic().stream(),
+				ResolveGroups.ALL.advanced().stream().flatMap(g -> g.names().stream()))
+			.sorted().toList();
 		assertEquals(Form.of(new ResolveFilamentCommand()).fields().stream().map(FormField::name)
 			.sorted().toList(), grouped);
 	}

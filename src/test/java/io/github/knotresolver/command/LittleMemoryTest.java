@@ -80,8 +80,7 @@ class LittleMemoryTest {
 	void frameThatDoesNotFitIsToldBeforeTheWork() throws Exception {
 		final Path file = home.resolve("wide.tif");
 		Movies.write(file, 2000, 2);
-		final String log = new Programs(home).java(
-			List.of("-Djava.awt.headless=true", "-Xmx80m"),
+		final String log = new Programs(home).java(List.of("-Djava.awt.headless=true", "-Xmx80m"),
 			"io.github.knotresolver.cli.KnotResolverMain", "resolve", file.toString(), "--out",
 			home.resolve("none").toString(), "--threads", "1");
 		assertTrue(log.contains(

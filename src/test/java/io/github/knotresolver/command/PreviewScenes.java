@@ -108,8 +108,7 @@ final class PreviewScenes {
 		type(KeyEvent.VK_1);
 		type(KeyEvent.VK_MINUS);
 		type(KeyEvent.VK_3);
-		Windows.await("text",
-			() -> Windows.field(dialog, "Frames").getText().equals("1-3"));
+		Windows.await("text", () -> Windows.field(dialog, "Frames").getText().equals("1-3"));
 		robot.keyPress(KeyEvent.VK_ALT);
 		type(KeyEvent.VK_A);
 		robot.keyRelease(KeyEvent.VK_ALT);
@@ -129,8 +128,7 @@ final class PreviewScenes {
 		throws Exception {
 		Windows.await("preview of frame " + frame,
 			() -> Windows.text(dialog).contains("frame " + frame + ": 1 filament")
-				&& area(image) > 0
-				&& names(image).filter(r -> r.getName().equals("look-contour"))
+				&& area(image) > 0 && names(image).filter(r -> r.getName().equals("look-contour"))
 					.allMatch(r -> r.getPosition() == frame));
 	}
 

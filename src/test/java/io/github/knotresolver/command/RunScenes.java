@@ -41,11 +41,13 @@ final class RunScenes {
 	private void outcome() throws Exception {
 		final ImagePlus image = DialogsMain.sample("watched");
 		begin("");
-		Windows.await("sightings", () -> image.getOverlay() != null && Arrays
-			.stream(image.getOverlay().toArray()).anyMatch(r -> "look-sighted".equals(r.getName())));
+		Windows.await("sightings",
+			() -> image.getOverlay() != null && Arrays.stream(image.getOverlay().toArray())
+				.anyMatch(r -> "look-sighted".equals(r.getName())));
 		DialogsMain.finished();
 		final Frame window = frame("Resolved watched");
-		Windows.await("outcome", () -> Windows.text(window).contains("24 frames right, 0 doubtful"));
+		Windows.await("outcome",
+			() -> Windows.text(window).contains("24 frames right, 0 doubtful"));
 		DialogsMain.require(image.getOverlay().size() == 24 * 16,
 			image.getOverlay().size() + " shapes: sightings stay.");
 		click(button(window, "Review"));

@@ -30,9 +30,9 @@ final class TuneScenes {
 	}
 
 	static Map<String, DialogsMain.Scene> scenes() {
-		return new TreeMap<>(Map.of("a segmentation is tuned and used",
-			() -> new TuneScenes().tune(), "tuning needs an image, and goes with it",
-			() -> new TuneScenes().images()));
+		return new TreeMap<>(
+			Map.of("a segmentation is tuned and used", () -> new TuneScenes().tune(),
+				"tuning needs an image, and goes with it", () -> new TuneScenes().images()));
 	}
 
 	private void tune() throws Exception {
@@ -46,8 +46,9 @@ final class TuneScenes {
 		Windows.await("frame 2", () -> Windows.text(window).contains("frame 2: "));
 		click(named(window, "histogram"), 0.9);
 		Windows.await("threshold",
-			() -> Math.abs(((Number) ((JSpinner) named(window, "threshold")).getValue())
-				.doubleValue() - 0.9) < 0.02);
+			() -> Math
+				.abs(((Number) ((JSpinner) named(window, "threshold")).getValue()).doubleValue()
+					- 0.9) < 0.02);
 		Windows.await("smaller mask", () -> area(image) > 0 && area(image) < automatic);
 		click(named(window, "Use in Resolve"), 0.5);
 		final Dialog dialog = Windows.dialog("Resolve Filament...");

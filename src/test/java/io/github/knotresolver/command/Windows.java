@@ -1,6 +1,5 @@
 package io.github.knotresolver.command;
 
-import java.lang.reflect.InvocationTargetException;
 import java.awt.Button;
 import java.awt.Component;
 import java.awt.Container;
@@ -10,6 +9,7 @@ import java.awt.Label;
 import java.awt.TextField;
 import java.awt.Window;
 import java.awt.event.ActionEvent;
+import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -181,7 +181,8 @@ final class Windows {
 	}
 
 	static void press(final Container container, final String label) {
-		all(container, JButton.class).stream().filter(b -> b.getText().strip().equals(label.strip()))
+		all(container, JButton.class).stream()
+			.filter(b -> b.getText().strip().equals(label.strip()))
 			.forEach(b -> EventQueue.invokeLater(b::doClick));
 		for (final Button button : all(container, Button.class))
 			if (button.getLabel().strip().equals(label.strip()))

@@ -98,10 +98,8 @@ class FilamentEstimatorTest {
 			sightings.add(new Sighting(camera.apply(drawn.frame(t)), jagged.divided(12)));
 		}
 		try (Workers workers = new Workers(2)) {
-			return FilamentEstimator
-				.estimate(sightings, EnumSet.allOf(LineModel.Kind.class), FitSettings.ENDS_FREE, workers,
-					Progress.NONE)
-				.orElseThrow();
+			return FilamentEstimator.estimate(sightings, EnumSet.allOf(LineModel.Kind.class),
+				FitSettings.ENDS_FREE, workers, Progress.NONE).orElseThrow();
 		}
 	}
 }

@@ -61,8 +61,8 @@ public final class Guard {
 	 * @param work reads it
 	 */
 	public void run(final Supplier<String> input, final Runnable work) {
-		run(input, work,
-			() -> ManagementFactory.getThreadMXBean().getThreadCpuTime(thread.getId()), () -> {
+		run(input, work, () -> ManagementFactory.getThreadMXBean().getThreadCpuTime(thread.getId()),
+			() -> {
 			});
 	}
 

@@ -17,8 +17,9 @@ class StepTest {
 
 	/** Right for 60 pixels, then down for 60. */
 	private static Segment corner() {
-		return SkeletonGraph.of(Drawn.skeleton(90, 90, Drawn.line(10, 20, 70, 20, 70, 80)), 0,
-			List.of()).segments().get(0);
+		return SkeletonGraph
+			.of(Drawn.skeleton(90, 90, Drawn.line(10, 20, 70, 20, 70, 80)), 0, List.of()).segments()
+			.get(0);
 	}
 
 	private static void assertNear(final double x, final double y, final Point p) {

@@ -19,7 +19,6 @@ public final class MedianMain {
 			final ImageProcessor frame = image.getStack().getProcessor(n);
 			filters.rank(frame, 1, RankFilters.MEDIAN);
 		}
-		System.out.println(
-			image.getStackSize() + "×" + image.getWidth() + "×" + image.getHeight());
+		System.out.println(image.getStackSize() + "×" + image.getWidth() + "×" + image.getHeight());
 	}
 }

@@ -87,8 +87,7 @@ class SeveralFilamentsTest {
 		assertEquals(List.of(
 			"filament,anchor,first_frame,last_frame,length,length_se,frames_resolved,mean_confidence,unit,gliding_path,gliding_speed,time_unit",
 			"1,clamped,1,10,20,0.025,10,0.9,µm,,,s", "3,free,1,7,10,,7,0.8,µm,1.5,0.125,s",
-			"12,free,1,10,,,0,,µm,,,s"),
-			lines("filaments.csv"));
+			"12,free,1,10,,,0,,µm,,,s"), lines("filaments.csv"));
 		for (final String file : List.of("MTdata.csv", "MTdata-03.csv", "statsSummary-03.txt",
 			"tangent_angle_kymograph.tif", "tangent_angle_kymograph-03.tif", "length-03.svg",
 			"contours-03.png", "montage.png", "montage-01.png", "montage-03.png", "montage-12.png"))

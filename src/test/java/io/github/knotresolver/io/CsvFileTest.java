@@ -140,9 +140,8 @@ class CsvFileTest {
 		final Path file = home.resolve("long.csv");
 		assertEquals(ROWS, written(file, Integer.MAX_VALUE));
 		final int[] questions = {0};
-		assertEquals(ROWS + 1,
-			Cancellation.during(stoppedAt(Integer.MAX_VALUE, questions), () -> CsvFile.read(file))
-				.size());
+		assertEquals(ROWS + 1, Cancellation
+			.during(stoppedAt(Integer.MAX_VALUE, questions), () -> CsvFile.read(file)).size());
 		assertTrue(questions[0] > ROWS, "asked " + questions[0] + " times");
 		assertThrows(CancelledException.class,
 			() -> Cancellation.during(stoppedAt(50, new int[1]), () -> CsvFile.read(file)));

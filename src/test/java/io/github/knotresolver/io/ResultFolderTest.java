@@ -386,8 +386,7 @@ class ResultFolderTest {
 	}
 
 	private String refusal(final boolean force, final Path... inputs) {
-		return assertThrows(UserException.class,
-			() -> ResultFolder.reserve(out, ResultKind.RESOLVED_MOVIE, force, List.of(inputs)).close())
-			.getMessage();
+		return assertThrows(UserException.class, () -> ResultFolder
+			.reserve(out, ResultKind.RESOLVED_MOVIE, force, List.of(inputs)).close()).getMessage();
 	}
 }

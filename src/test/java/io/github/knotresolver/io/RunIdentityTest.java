@@ -57,8 +57,7 @@ class RunIdentityTest {
 
 	@Test
 	void movieIsKnownByPathAndContents() throws IOException {
-		final RunIdentity i = RunIdentity.of(home.resolve("./movie.tif"), Map.of(),
-			Progress.NONE);
+		final RunIdentity i = RunIdentity.of(home.resolve("./movie.tif"), Map.of(), Progress.NONE);
 		assertEquals(movie, i.movie());
 		assertEquals(ABC, i.sha256());
 		assertEquals(ProgramVersion.get(), i.version());
@@ -88,8 +87,7 @@ class RunIdentityTest {
 		assertEquals(List.of(movie),
 			RunIdentity.files(Optional.of(movie), Map.of("corrections", " ")));
 		assertEquals(List.of(), RunIdentity.files(Optional.empty(), Map.of()));
-		assertEquals(Optional.empty(),
-			RunIdentity.of(Optional.empty(), Map.of(), Progress.NONE));
+		assertEquals(Optional.empty(), RunIdentity.of(Optional.empty(), Map.of(), Progress.NONE));
 		final Map<String, String> odd = Map.of("corrections", "a\0b");
 		assertThrows(UserException.class, () -> RunIdentity.files(Optional.of(movie), odd));
 		assertThrows(UserException.class, () -> identity(odd));
@@ -101,8 +99,8 @@ class RunIdentityTest {
 		assertTrue(i.isSame(identity(Map.of())));
 		assertFalse(i.isSame(identity(Map.of("threshold", "0.3"))));
 		assertFalse(i.isSame(identity(Map.of("threshold", "not a number"))));
-		assertFalse(i.isSame(new RunIdentity(home.resolve("other.tif"), i.sha256(), i.version(),
-			i.given(), "")));
+		assertFalse(i.isSame(
+			new RunIdentity(home.resolve("other.tif"), i.sha256(), i.version(), i.given(), "")));
 		assertFalse(i.isSame(new RunIdentity(movie, "00", i.version(), i.given(), "")));
 		assertFalse(i.isSame(new RunIdentity(movie, i.sha256(), "0.0.1", i.given(), "")));
 		assertFalse(i.isSame(new RunIdentity(movie, i.sha256(), i.version(), i.given(), ABC)));
@@ -129,8 +127,8 @@ class RunIdentityTest {
 	void rowIsFinishedByTheSameResultAndGetsNoOtherMoviesFolder() throws IOException {
 		final Path out = Files.createDirectory(home.resolve("out"));
 		final BatchRow row = row(movie, Map.of()), twice = row(movie, Map.of("iterations", "11")),
-			other = row(Files.writeString(Files.createDirectory(home.resolve("in"))
-				.resolve("movie.tif"), "x"), Map.of());
+			other = row(Files.writeString(
+				Files.createDirectory(home.resolve("in")).resolve("movie.tif"), "x"), Map.of());
 		Files.move(result("kept", identity(Map.of())), out.resolve("kept"));
 		Files.move(result("movie", identity(Map.of("iterations", "12"))), out.resolve("movie"));
 		Files.createDirectory(out.resolve("MOVIE-2"));

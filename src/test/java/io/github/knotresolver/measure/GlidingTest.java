@@ -53,9 +53,8 @@ class GlidingTest {
 
 	@Test
 	void withoutTwoNeighbouringContoursThereIsNone() {
-		assertTrue(Gliding
-			.of(List.of(Optional.of(onRing(0)), Optional.empty(), Optional.of(onRing(4))),
-				MICROSCOPE)
-			.isEmpty());
+		assertTrue(
+			Gliding.of(List.of(Optional.of(onRing(0)), Optional.empty(), Optional.of(onRing(4))),
+				MICROSCOPE).isEmpty());
 	}
 }

@@ -10,6 +10,9 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
 
+import net.imglib2.img.Img;
+import net.imglib2.type.logic.BitType;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -30,8 +33,6 @@ import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
-import net.imglib2.img.Img;
-import net.imglib2.type.logic.BitType;
 
 /** Single frames as the program sees them: what a run would see. */
 class FramePreviewTest {
@@ -42,8 +43,10 @@ class FramePreviewTest {
 	private static final int KNOT = 13;
 
 	static Stream<Settings> settings() {
-		final Settings threshold = Settings.DEFAULT.edit().segmentation(
-			Segmentation.DEFAULT.withThreshold(OptionalDouble.of(0.5)).withIterations(3)).build();
+		final Settings threshold = Settings.DEFAULT.edit()
+			.segmentation(
+				Segmentation.DEFAULT.withThreshold(OptionalDouble.of(0.5)).withIterations(3))
+			.build();
 		return Stream.of(Settings.DEFAULT, threshold);
 	}
 
@@ -77,9 +80,9 @@ class FramePreviewTest {
 		assertEquals(open, knot.contours().get(0).length(), 0.1 * open);
 		assertTrue(knot.contours().get(0).first().distanceTo(end) < 6, "begins elsewhere");
 		assertEquals(Polarity.BRIGHT, knot.polarity());
-		assertTrue(preview
-			.look(told.edit().filaments(FilamentChoice.ALL).build(), KNOT, Progress.NONE).contours()
-			.size() >= 1);
+		assertTrue(
+			preview.look(told.edit().filaments(FilamentChoice.ALL).build(), KNOT, Progress.NONE)
+				.contours().size() >= 1);
 	}
 
 	@Test
@@ -97,8 +100,7 @@ class FramePreviewTest {
 			}
 	}
 
-	private static boolean near(final Polyline contour,
-		final Point pixel) {
+	private static boolean near(final Polyline contour, final Point pixel) {
 		for (int i = 0; i < contour.size(); i++)
 			if (contour.point(i).distanceTo(pixel) < 3)
 				return true;
@@ -118,8 +120,8 @@ class FramePreviewTest {
 		final FramePreview preview = new FramePreview(SAMPLE);
 		assertThrows(UserException.class, () -> preview
 			.look(Settings.DEFAULT.edit().frames(List.of(99)).build(), 1, Progress.NONE));
-		assertThrows(CancelledException.class, () -> preview.look(Settings.DEFAULT, 1,
-			new CancelledProgress()));
+		assertThrows(CancelledException.class,
+			() -> preview.look(Settings.DEFAULT, 1, new CancelledProgress()));
 		assertEquals(1, preview.look(Settings.DEFAULT, 1, Progress.NONE).objects());
 	}
 }

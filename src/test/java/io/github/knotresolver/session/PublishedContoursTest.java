@@ -32,9 +32,8 @@ class PublishedContoursTest {
 	void contoursAreTheSameToTheByte() throws NoSuchAlgorithmException {
 		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(10, 70, 1.6), List.of(),
 			LineModel.uniform(LineModel.Kind.ADDITIVE, 1.6, 1), 0.06, 5);
-		final Settings settings = RunOptions
-			.parse(Map.of("candidates", "paper", "resolver", "paper", "refine", "no", "fixed_end",
-				"22,55", "threads", "1"))
+		final Settings settings = RunOptions.parse(Map.of("candidates", "paper", "resolver",
+			"paper", "refine", "no", "fixed_end", "22,55", "threads", "1"))
 			.parameters(drawn.movie());
 		final StringBuilder text = new StringBuilder();
 		for (final Observation frame : new FilamentResolver(settings)
@@ -46,7 +45,8 @@ class PublishedContoursTest {
 
 	private static void append(final StringBuilder text, final int frame, final Polyline contour) {
 		for (int i = 0; i < contour.size(); i++)
-			text.append(String.format(Locale.ROOT, "%d,%d,%.3f,%.3f%n", frame, i, contour.x(i),
-				contour.y(i)).replace("\r", ""));
+			text.append(String
+				.format(Locale.ROOT, "%d,%d,%.3f,%.3f%n", frame, i, contour.x(i), contour.y(i))
+				.replace("\r", ""));
 	}
 }

@@ -22,8 +22,8 @@ class VerdictTest {
 	private static FilamentTrack track(final double step, final IntToDoubleFunction confidence) {
 		final List<Observation> frames = IntStream.range(0, 12)
 			.mapToObj(t -> new Observation(t + 1, FrameStatus.RESOLVED, "",
-				Optional.of(
-					Polyline.of(new double[]{0, 20, 40}, new double[]{step * t, step * t, step * t})),
+				Optional.of(Polyline.of(new double[]{0, 20, 40},
+					new double[]{step * t, step * t, step * t})),
 				0, 1, 0, confidence.applyAsDouble(t)))
 			.toList();
 		return new FilamentTrack(1, Anchor.CLAMPED, Optional.empty(), 40, 0.1, frames);

@@ -43,8 +43,7 @@ class FitConfidenceTest {
 		figures[0] = 1;
 		final double clear = confidence(figures);
 		figures[FIGURES - 1] = FitEvidence.faint(0.7);
-		assertTrue(clear > 0.95 && confidence(figures) < 0.9,
-			clear + ", " + confidence(figures));
+		assertTrue(clear > 0.95 && confidence(figures) < 0.9, clear + ", " + confidence(figures));
 	}
 
 	@Test

@@ -41,16 +41,17 @@ class FocusTest {
 		final float[] pixels = new float[size * size * FRAMES];
 		for (int t = 0; t < FRAMES; t++) {
 			final DrawnMovie one = DrawnMovie.draw(List.of(DrawnMovie.wave(t, LENGTH, 0.7)),
-				List.of(),
-				LineModel.uniform(LineModel.Kind.ADDITIVE, sigma.applyAsDouble(t), 1), 0.04, t);
+				List.of(), LineModel.uniform(LineModel.Kind.ADDITIVE, sigma.applyAsDouble(t), 1),
+				0.04, t);
 			System.arraycopy(Pixels.floats(one.movie().frame(0)), 0, pixels, t * size * size,
 				size * size);
 		}
 		final Movie movie = new Movie("drawn", ArrayImgs.floats(pixels, size, size, FRAMES),
 			Calibration.NONE);
 		final EvidenceFinder finder = new EvidenceFinder(
-			new AppearanceFinder(Workers.HERE, Progress.NONE).find(movie,
-				IntStream.rangeClosed(1, FRAMES).boxed().toList(), Polarity.BRIGHT).appearance());
+			new AppearanceFinder(Workers.HERE, Progress.NONE)
+				.find(movie, IntStream.rangeClosed(1, FRAMES).boxed().toList(), Polarity.BRIGHT)
+				.appearance());
 		return IntStream.range(0, FRAMES).mapToObj(t -> {
 			final FrameEvidence evidence = finder.find(movie.frame(t));
 			return new FrameView(t + 1,

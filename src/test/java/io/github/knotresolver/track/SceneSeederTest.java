@@ -46,9 +46,8 @@ class SceneSeederTest {
 
 	private static FrameView frame(final List<Chain> chains) {
 		final Random random = new Random(7);
-		final double[] light = new Scene(
-			new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]), LINE, chains).residual()
-			.pixels();
+		final double[] light = new Scene(new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]),
+			LINE, chains).residual().pixels();
 		final boolean[] bright = new boolean[light.length];
 		for (int i = 0; i < light.length; i++) {
 			bright[i] = light[i] < -0.45;
@@ -70,8 +69,7 @@ class SceneSeederTest {
 		assertEquals(2, together.size());
 		assertSame(truth.get(0), together.get(0));
 		assertEquals(40, together.get(1).length(), 1);
-		assertTrue(SceneSeed.distance(truth.get(1).polyline(),
-			together.get(1).polyline()) < 1);
+		assertTrue(SceneSeed.distance(truth.get(1).polyline(), together.get(1).polyline()) < 1);
 	}
 
 	@Test

@@ -49,10 +49,9 @@ class TailExchangesTest {
 	private static Chain chain(final double x, final double y, final double from, final double to,
 		final double turnsAt) {
 		final double mx = x + turnsAt * Math.cos(from), my = y + turnsAt * Math.sin(from);
-		return Chain.inScene(
-			Polyline.of(new double[]{x, mx, mx + (LENGTH - turnsAt) * Math.cos(to)},
-				new double[]{y, my, my + (LENGTH - turnsAt) * Math.sin(to)}),
-			LENGTH);
+		return Chain
+			.inScene(Polyline.of(new double[]{x, mx, mx + (LENGTH - turnsAt) * Math.cos(to)},
+				new double[]{y, my, my + (LENGTH - turnsAt) * Math.sin(to)}), LENGTH);
 	}
 
 	private static FrameView frame(final int t, final Random random) {
@@ -77,8 +76,7 @@ class TailExchangesTest {
 		final double[] sure = new double[FRAMES];
 		Arrays.fill(sure, Double.POSITIVE_INFINITY);
 		return new TailExchanges(new SceneLine(LINE, frames, NOISE), SceneWeights.DEFAULT,
-			Progress.NONE)
-			.checked(List.of(new Settled(a, sure, 0.1), new Settled(b, sure, 0.1)));
+			Progress.NONE).checked(List.of(new Settled(a, sure, 0.1), new Settled(b, sure, 0.1)));
 	}
 
 	private static void assertStraight(final List<Settled> filaments) {

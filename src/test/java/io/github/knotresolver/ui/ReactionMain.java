@@ -1,6 +1,5 @@
 package io.github.knotresolver.ui;
 
-import com.sun.management.OperatingSystemMXBean;
 import java.awt.EventQueue;
 import java.awt.Graphics;
 import java.awt.Toolkit;
@@ -12,6 +11,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+
+import com.sun.management.OperatingSystemMXBean;
 
 import ij.ImageJ;
 import ij.ImagePlus;

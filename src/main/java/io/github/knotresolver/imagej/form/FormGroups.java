@@ -39,9 +39,8 @@ public record FormGroups(List<String> basic, List<Group> advanced) {
 	 * @return these groups and one more
 	 */
 	public FormGroups and(final String heading, final String... names) {
-		return new FormGroups(basic,
-			Stream.concat(advanced.stream(), Stream.of(new Group(heading, List.of(names))))
-				.toList());
+		return new FormGroups(basic, Stream
+			.concat(advanced.stream(), Stream.of(new Group(heading, List.of(names)))).toList());
 	}
 
 	/**

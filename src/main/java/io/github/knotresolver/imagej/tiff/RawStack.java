@@ -14,7 +14,6 @@ import ij.process.ByteProcessor;
 import ij.process.FloatProcessor;
 import ij.process.ImageProcessor;
 import ij.process.ShortProcessor;
-
 import io.github.knotresolver.model.UserException;
 
 /**

@@ -185,7 +185,8 @@ public final class TiffImage {
 
 	/** Images of which nothing is told are frames: the file is named as a movie. */
 	private void arrange(final ImagePlus image) {
-		final int planes = image.getStackSize(), perImage = Math.max(1, planes / kind.frames().size());
+		final int planes = image.getStackSize(),
+			perImage = Math.max(1, planes / kind.frames().size());
 		final Optional<TiffAxes> told = description.axes(planes, perImage);
 		told.orElseGet(() -> TiffAxes.inOrder(perImage, 1, planes / perImage)).arrange(image);
 		image.setOpenAsHyperStack(image.getNChannels() > 1);

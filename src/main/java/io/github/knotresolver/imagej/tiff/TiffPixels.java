@@ -50,8 +50,8 @@ final class TiffPixels {
 		final long[] map = page.values(TiffPage.COLOUR_MAP);
 		final int n = map.length / 3;
 		if (n < 1L << page.bits())
-			throw TiffStructure.damaged(path, "its palette has " + n + " colours, not one for each of its "
-				+ (1L << page.bits()) + " numbers");
+			throw TiffStructure.damaged(path, "its palette has " + n
+				+ " colours, not one for each of its " + (1L << page.bits()) + " numbers");
 		final byte[] greys = new byte[n];
 		for (int i = 0; i < n; i++) {
 			if (map[i] != map[n + i] || map[i] != map[2 * n + i])

@@ -28,8 +28,7 @@ final class LookWords {
 		final int n = look.contours().size();
 		final StringBuilder line = new StringBuilder(frame);
 		line.append(n).append(n == 1 ? " filament, " : " filaments, ");
-		look.width()
-			.ifPresent(w -> line.append(String.format(Locale.ROOT, "width %.1f px, ", w)));
+		look.width().ifPresent(w -> line.append(String.format(Locale.ROOT, "width %.1f px, ", w)));
 		line.append(look.polarity() == Polarity.DARK ? "dark on bright, " : "bright on dark, ");
 		return line.append(lengths(look.contours(), calibration)).append(", ").append(ends(look))
 			.toString();

@@ -140,8 +140,7 @@ public final class PreviewModel implements AutoCloseable {
 				: settings.edit().fixedEnd(check.fixedEnd()).build();
 	}
 
-	private void show(final Progress progress, final Optional<FrameLook> seen,
-		final String words) {
+	private void show(final Progress progress, final Optional<FrameLook> seen, final String words) {
 		synchronized (this) {
 			progress.checkCancelled();
 			look = seen;

@@ -1,13 +1,8 @@
 package io.github.knotresolver.ui.model;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.SortedMap;
-import java.util.SortedSet;
-import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 
@@ -17,7 +12,6 @@ import io.github.knotresolver.io.Failure;
 import io.github.knotresolver.model.Alternative;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.Constraint.Kind;
-import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Tracks;

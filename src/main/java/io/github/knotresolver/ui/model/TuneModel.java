@@ -9,6 +9,9 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.CopyOnWriteArrayList;
 
+import net.imglib2.img.Img;
+import net.imglib2.type.numeric.real.FloatType;
+
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.mask.OtsuThreshold;
 import io.github.knotresolver.model.Movie;
@@ -18,8 +21,6 @@ import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.session.FrameLook;
 import io.github.knotresolver.session.FramePreview;
-import net.imglib2.img.Img;
-import net.imglib2.type.numeric.real.FloatType;
 
 /**
  * The segmentation of a movie while a person tunes it: the frame that is looked at, its histogram

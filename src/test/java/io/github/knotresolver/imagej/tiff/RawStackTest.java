@@ -21,7 +21,6 @@ import ij.IJ;
 import ij.ImagePlus;
 import ij.io.FileSaver;
 import ij.process.ImageProcessor;
-
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
@@ -64,8 +63,8 @@ class RawStackTest {
 		final Path file = movie(16, 1, 3, false);
 		final ImagePlus lazy = TiffImage.open(file, Progress.NONE, NO_MEMORY);
 		Files.delete(file);
-		final String told = assertThrows(UserException.class,
-			() -> lazy.getStack().getProcessor(2)).getMessage();
+		final String told = assertThrows(UserException.class, () -> lazy.getStack().getProcessor(2))
+			.getMessage();
 		assertTrue(told.startsWith("Frame 2 of " + file + " cannot be read"), told);
 	}
 

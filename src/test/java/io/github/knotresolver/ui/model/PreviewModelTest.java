@@ -43,8 +43,9 @@ class PreviewModelTest {
 	@Test
 	void oneLineSaysWhatWasFoundInTheFrame() throws Exception {
 		assertEquals(1, ask(sample, Map.of(), 1).orElseThrow().frame());
-		assertTrue(model.line().matches(
-			"frame 1: 1 filament, width 3\\.\\d px, bright on dark, 14\\.\\d µm, ends clear"),
+		assertTrue(
+			model.line().matches(
+				"frame 1: 1 filament, width 3\\.\\d px, bright on dark, 14\\.\\d µm, ends clear"),
 			model.line());
 		// The check has found the fixed end, so the knot is one filament, too.
 		ask(sample, Map.of(), 13);
@@ -89,8 +90,7 @@ class PreviewModelTest {
 	@Test
 	void theLastQuestionWinsAndOffForgetsAll() throws Exception {
 		for (int frame = 1; frame <= 24; frame++)
-			model
-				.ask(new PreviewModel.Question(sample, RunOptions.parse(Map.of()), frame));
+			model.ask(new PreviewModel.Question(sample, RunOptions.parse(Map.of()), frame));
 		assertEquals(24, model.atRest().orElseThrow().frame());
 		assertFalse(model.isWorking());
 		model.off();

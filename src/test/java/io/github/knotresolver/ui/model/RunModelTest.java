@@ -13,6 +13,8 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicLong;
 
+import net.imglib2.img.array.ArrayImgs;
+
 import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.geometry.Point;
@@ -32,7 +34,6 @@ import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.session.FilamentResolver;
-import net.imglib2.img.array.ArrayImgs;
 
 /** What a person is told of a run, without any window. */
 class RunModelTest {
@@ -122,8 +123,7 @@ class RunModelTest {
 	@Test
 	void theOutcomeCountsWhatAPersonMustLookAt() {
 		final Polyline line = Polyline.of(List.of(new Point(1, 1), new Point(9, 1)));
-		final Movie movie = new Movie("m", ArrayImgs.bytes(10, 10, 5),
-			Calibration.NONE);
+		final Movie movie = new Movie("m", ArrayImgs.bytes(10, 10, 5), Calibration.NONE);
 		final List<Observation> frames = List.of(of(1, FrameStatus.RESOLVED, line, 0.95),
 			of(2, FrameStatus.RESOLVED, line, 0.5), of(3, FrameStatus.CORRECTED, line, 1),
 			Observation.without(4, FrameStatus.LOST, "Dark."),
