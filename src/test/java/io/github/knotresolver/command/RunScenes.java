@@ -71,7 +71,12 @@ final class RunScenes {
 		begin("");
 		final Frame window = frame("Resolving long");
 		Windows.await("stage", () -> !Windows.text(window).contains("Beginning"));
-		click(button(window, "Cancel"));
+		// The window may still grow by a line under the pointer.
+		Windows.await("cancelled", () -> {
+			click(button(window, "Cancel"));
+			Thread.sleep(1000);
+			return !window.isShowing() || Windows.dialogs().findAny().isPresent();
+		});
 		Windows.message("Cancelled; nothing was written.");
 		Windows.await("end", () -> !window.isShowing());
 		DialogsMain.require(image.getOverlay() == null && !IJ.escapePressed() && !image.isLocked(),
