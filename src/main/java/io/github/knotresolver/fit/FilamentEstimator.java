@@ -73,7 +73,7 @@ public final class FilamentEstimator {
 		 */
 		boolean isPlausible() {
 			final boolean additive = line.model().kind() == LineModel.Kind.ADDITIVE;
-			return examples.get(0).frame().isClipped()
+			return LineEstimator.isClipped(examples)
 				? !additive || line.unexplained() < WELL
 				: additive || line.model().power() > FitTuning.FLAT_POWER;
 		}

@@ -151,7 +151,8 @@ public final class LineEstimator {
 		return line;
 	}
 
-	private static boolean isClipped(final List<Example> examples) {
+	/** @return whether pixels of any example's frame were cut off */
+	static boolean isClipped(final List<Example> examples) {
 		return examples.stream().anyMatch(e -> e.frame.isClipped());
 	}
 

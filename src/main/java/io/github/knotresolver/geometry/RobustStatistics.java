@@ -1,5 +1,7 @@
 package io.github.knotresolver.geometry;
 
+import java.util.Arrays;
+
 /**
  * What medians say of a normal distribution. Source: P. J. Rousseeuw and C. Croux,
  * Alternatives to the Median Absolute Deviation, J. Am. Stat. Assoc. 88 (1993) 1273-1283,
@@ -14,5 +16,17 @@ public final class RobustStatistics {
 	public static final double MEDIAN_TO_MEAN_ERROR = 1.2533;
 
 	private RobustStatistics() {
+	}
+
+	/**
+	 * @param values in any order; not changed
+	 * @return the middle one, or the mean of the two in the middle; NaN if there is none. O(n log n)
+	 */
+	public static double median(final double[] values) {
+		final double[] sorted = values.clone();
+		Arrays.sort(sorted);
+		return sorted.length == 0
+			? Double.NaN
+			: 0.5 * (sorted[(sorted.length - 1) / 2] + sorted[sorted.length / 2]);
 	}
 }

@@ -3,6 +3,8 @@ package io.github.knotresolver.image;
 import java.util.Arrays;
 import java.util.List;
 
+import io.github.knotresolver.geometry.RobustStatistics;
+
 /**
  * The brightness across a movie's lines: the median over all pixels of the skeletons of a
  * frame, then over frames. What lies beside a line here and there has no part in it.
@@ -37,7 +39,7 @@ public final class CrossProfile {
 					places[i] % ridges.width() - d * Math.sin(angle),
 					places[i] / ridges.width() + d * Math.cos(angle));
 			}
-			profile[k] = median(values);
+			profile[k] = RobustStatistics.median(values);
 		}
 		return profile;
 	}
@@ -54,7 +56,7 @@ public final class CrossProfile {
 		final double[] profile = new double[STEPS + 1];
 		for (int k = 0; k <= STEPS; k++) {
 			final int at = k;
-			profile[k] = median(known.stream().mapToDouble(p -> p[at]).toArray());
+			profile[k] = RobustStatistics.median(known.stream().mapToDouble(p -> p[at]).toArray());
 		}
 		return width(profile);
 	}
@@ -64,8 +66,8 @@ public final class CrossProfile {
 		for (int k = top; k <= STEPS / 2 + MIDDLE; k++)
 			if (profile[k] > profile[top])
 				top = k;
-		final double background = (median(Arrays.copyOf(profile, OUTER))
-			+ median(Arrays.copyOfRange(profile, STEPS + 1 - OUTER, STEPS + 1))) / 2;
+		final double background = (RobustStatistics.median(Arrays.copyOf(profile, OUTER))
+			+ RobustStatistics.median(Arrays.copyOfRange(profile, STEPS + 1 - OUTER, STEPS + 1))) / 2;
 		final double half = (profile[top] + background) / 2;
 		return side(profile, top, half, 1) + side(profile, top, half, -1);
 	}
@@ -84,11 +86,5 @@ public final class CrossProfile {
 
 	private static double offset(final int k) {
 		return ImageTuning.PROFILE_REACH * (2.0 * k / STEPS - 1);
-	}
-
-	private static double median(final double[] values) {
-		final double[] sorted = values.clone();
-		Arrays.sort(sorted);
-		return (sorted[(sorted.length - 1) / 2] + sorted[sorted.length / 2]) / 2;
 	}
 }

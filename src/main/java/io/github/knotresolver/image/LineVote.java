@@ -3,6 +3,7 @@ package io.github.knotresolver.image;
 import java.util.Arrays;
 import java.util.List;
 
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.model.Polarity;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
@@ -41,7 +42,7 @@ public final class LineVote {
 		for (int sign = 0; sign < 2; sign++)
 			for (int k = 0; k < SCALES; k++) {
 				final int a = sign, b = k;
-				votes[sign][k] = median(each.stream().mapToDouble(v -> v[a][b]).toArray());
+				votes[sign][k] = RobustStatistics.median(each.stream().mapToDouble(v -> v[a][b]).toArray());
 			}
 		return new LineVote(votes);
 	}
@@ -80,12 +81,6 @@ public final class LineVote {
 
 	private static double largest(final double[] values) {
 		return Arrays.stream(values).max().getAsDouble();
-	}
-
-	private static double median(final double[] values) {
-		Arrays.sort(values);
-		final int n = values.length;
-		return (values[(n - 1) / 2] + values[n / 2]) / 2;
 	}
 
 	private static double[][] votes(final float[] frame, final int width) {

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.image.CrossProfile;
 import io.github.knotresolver.image.Enlargement;
 import io.github.knotresolver.image.HotPixels;
@@ -178,10 +179,6 @@ public final class AppearanceFinder {
 
 	/** @return the median; 0 of nothing */
 	private static double median(final double[] values) {
-		if (values.length == 0)
-			return 0;
-		final double[] sorted = values.clone();
-		Arrays.sort(sorted);
-		return (sorted[(sorted.length - 1) / 2] + sorted[sorted.length / 2]) / 2;
+		return values.length == 0 ? 0 : RobustStatistics.median(values);
 	}
 }

@@ -7,6 +7,7 @@ import java.util.stream.IntStream;
 
 import io.github.knotresolver.candidate.CandidateSet;
 import io.github.knotresolver.contour.ContourBuilder;
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.image.FrameEvidence;
 
 /**
@@ -52,11 +53,11 @@ record Focus(double[] widening, double[] brightness) {
 		if (!changes(widths))
 			return frames;
 		final double[] smooth = medians(widths, SMOOTH);
-		final double usual = median(Arrays.stream(smooth).filter(Double::isFinite).toArray());
+		final double usual = RobustStatistics.median(Arrays.stream(smooth).filter(Double::isFinite).toArray());
 		final double[] bright = medians(IntStream.range(0, widths.length)
 			.mapToDouble(t -> brightness(frames.get(t), sets.get(t)) / peak(smooth[t])).toArray(),
 			SMOOTH);
-		final double strand = median(Arrays.stream(bright).filter(b -> b > 0).toArray());
+		final double strand = RobustStatistics.median(Arrays.stream(bright).filter(b -> b > 0).toArray());
 		final List<FrameView> known = new ArrayList<>();
 		for (int t = 0; t < smooth.length; t++)
 			known.add(Double.isFinite(smooth[t]) && bright[t] > 0
@@ -94,18 +95,10 @@ record Focus(double[] widening, double[] brightness) {
 	/** The median of each value and its neighbours in time, as far as they are known. */
 	private static double[] medians(final double[] values, final int frames) {
 		return IntStream.range(0, values.length)
-			.mapToDouble(t -> median(Arrays
+			.mapToDouble(t -> RobustStatistics.median(Arrays
 				.stream(values, Math.max(0, t - frames / 2),
 					Math.min(values.length, t + frames / 2 + 1))
 				.filter(Double::isFinite).toArray()))
 			.toArray();
-	}
-
-	private static double median(final double[] values) {
-		final double[] sorted = values.clone();
-		Arrays.sort(sorted);
-		return sorted.length == 0
-			? Double.NaN
-			: 0.5 * (sorted[(sorted.length - 1) / 2] + sorted[sorted.length / 2]);
 	}
 }

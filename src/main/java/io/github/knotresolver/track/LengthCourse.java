@@ -216,10 +216,7 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 		}
 
 		private static double median(final double[] values) {
-			final double[] sorted = values.clone();
-			Arrays.sort(sorted);
-			final int n = sorted.length;
-			return n == 0 ? 0 : 0.5 * (sorted[(n - 1) / 2] + sorted[n / 2]);
+			return values.length == 0 ? 0 : RobustStatistics.median(values);
 		}
 	}
 }

@@ -51,17 +51,11 @@ record Lengths(double[] whole, double longestCut, double cutShare,
 			return estimate;
 		if (whole.length < TrackTuning.WHOLE_FRAMES)
 			return estimate.withLength(Math.max(estimate.length(), longestCut));
-		final double middle = median(whole);
+		final double middle = RobustStatistics.median(whole);
 		final double[] good = Arrays.stream(whole)
 			.filter(l -> Math.abs(l / middle - 1) < TrackTuning.WHOLE_OUTLIER).toArray();
-		final double length = median(good);
-		final double spread = median(Arrays.stream(good).map(l -> Math.abs(l - length)).toArray());
+		final double length = RobustStatistics.median(good);
+		final double spread = RobustStatistics.median(Arrays.stream(good).map(l -> Math.abs(l - length)).toArray());
 		return estimate.withLength(length, MEDIAN_ERROR * spread / Math.sqrt(good.length));
-	}
-
-	private static double median(final double[] values) {
-		final double[] sorted = values.clone();
-		Arrays.sort(sorted);
-		return 0.5 * (sorted[(sorted.length - 1) / 2] + sorted[sorted.length / 2]);
 	}
 }

@@ -56,7 +56,7 @@ final class SceneLengths {
 	 * right.
 	 */
 	Optional<List<Chain>> corrected(final ScenePass pass, final Workers workers) {
-		final List<Length> lengths = of(pass, workers);
+		final List<Length> lengths = of(pass, pass.clear(line, workers), workers);
 		final List<Chain> before = pass.chains().get(pass.start()), chains = new ArrayList<>();
 		boolean isRight = true;
 		for (int k = 0; k < before.size(); k++) {
@@ -79,9 +79,12 @@ final class SceneLengths {
 		return Optional.of(scene.chains());
 	}
 
-	/** The lengths of all filaments; O(filaments) for a frame, in at most 24 frames. */
-	List<Length> of(final ScenePass pass, final Workers workers) {
-		final boolean[][] clear = pass.clear(line, workers);
+	/**
+	 * The lengths of all filaments; O(filaments) for a frame, in at most 24 frames.
+	 *
+	 * @param clear for each filament and frame whether the light around it is explained
+	 */
+	List<Length> of(final ScenePass pass, final boolean[][] clear, final Workers workers) {
 		final int n = pass.chains().size(), stride = 1 + (n - 1) / LOOKS;
 		final List<double[]> found = workers.map((n + stride - 1) / stride,
 			i -> lengths(pass, i * stride, clear));
@@ -98,11 +101,9 @@ final class SceneLengths {
 	}
 
 	private static Length length(final double[] seen) {
-		final double middle = new Median().evaluate(seen);
-		final double off = new Median()
-			.evaluate(Arrays.stream(seen).map(l -> Math.abs(l - middle)).toArray());
-		return new Length(middle, RobustStatistics.MAD_TO_SD * off
-			* RobustStatistics.MEDIAN_TO_MEAN_ERROR / Math.sqrt(seen.length), changes(seen));
+		return new Length(new Median().evaluate(seen),
+			scatter(seen) * RobustStatistics.MEDIAN_TO_MEAN_ERROR / Math.sqrt(seen.length),
+			changes(seen));
 	}
 
 	/** Whether lengths in order of time are others from somewhere on. */

@@ -60,7 +60,10 @@ public final class SceneResolver {
 	 * @return all filaments; empty if there is none
 	 */
 	public Optional<SceneTracks> resolve(final List<FrameView> frames, final AnchorChoice anchor) {
-		return solve(frames).map(s -> SceneTracks.of(s.line, s.filaments, anchor, workers));
+		return solve(frames).map(s -> {
+			final boolean[][] clear = ScenePass.of(s.filaments).clear(s.line, workers);
+			return SceneTracks.of(s.line, measured(s, clear), clear, anchor);
+		});
 	}
 
 	/**
@@ -78,7 +81,7 @@ public final class SceneResolver {
 		}).orElse(frames);
 	}
 
-	private record Solved(SceneLine line, List<Settled> filaments) {
+	private record Solved(SceneLine line, SceneWeights weights, List<Settled> filaments) {
 	}
 
 	private Optional<Solved> solve(final List<FrameView> frames) {
@@ -93,8 +96,8 @@ public final class SceneResolver {
 			return Optional.empty();
 		final List<Settled> followed = new TailExchanges(line, weights, progress)
 			.checked(settled(line, weights, passes));
-		return Optional.of(new Solved(line, measured(line, weights,
-			new SceneRefinement(line, weights, workers, progress).refine(followed))));
+		return Optional.of(new Solved(line, weights,
+			new SceneRefinement(line, weights, workers, progress).refine(followed)));
 	}
 
 	/** A pass with its price, and what of it is unexplained light. */
@@ -156,13 +159,12 @@ public final class SceneResolver {
 	}
 
 	/** The filaments with standard errors of their lengths, in doubt where a length changes. */
-	private List<Settled> measured(final SceneLine line, final SceneWeights weights,
-		final List<Settled> filaments) {
-		final List<SceneLengths.Length> lengths = new SceneLengths(line, weights)
-			.of(ScenePass.of(filaments), workers);
+	private List<Settled> measured(final Solved solved, final boolean[][] clear) {
+		final List<SceneLengths.Length> lengths = new SceneLengths(solved.line, solved.weights)
+			.of(ScenePass.of(solved.filaments), clear, workers);
 		final List<Settled> measured = new ArrayList<>();
-		for (int k = 0; k < filaments.size(); k++) {
-			final Settled f = filaments.get(k);
+		for (int k = 0; k < lengths.size(); k++) {
+			final Settled f = solved.filaments.get(k);
 			final double error = lengths.get(k).error();
 			final double[] gap = lengths.get(k).changes() ? inDoubt(f.gap()) : f.gap();
 			measured.add(

@@ -13,7 +13,6 @@ import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.AnchorChoice;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
-import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.track.SceneSettler.Settled;
 
 /**
@@ -67,12 +66,19 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 		}
 	}
 
+	/**
+	 * What is known of all filaments.
+	 *
+	 * @param line what lines look like, and the frames
+	 * @param settled the filaments
+	 * @param clear for each filament and frame whether the light around it is explained
+	 * @param anchor whether filaments are held at one end
+	 */
 	static SceneTracks of(final SceneLine line, final List<Settled> settled,
-		final AnchorChoice anchor, final Workers workers) {
+		final boolean[][] clear, final AnchorChoice anchor) {
 		final int n = line.frames().size();
 		final List<List<Chain>> chains = new ArrayList<>();
 		final List<FilamentEnds> ends = new ArrayList<>();
-		final boolean[][] clear = ScenePass.of(settled).clear(line, workers);
 		for (int k = 0; k < settled.size(); k++) {
 			final List<Chain> found = settled.get(k).chains();
 			final FilamentEnds e = FilamentEnds.of(found, clear[k], anchor);
