@@ -1,11 +1,7 @@
 package io.github.knotresolver.command;
 
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Dialog;
-import java.awt.Point;
-import java.awt.Robot;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.Arrays;
 import java.util.Map;
@@ -25,11 +21,10 @@ import ij.gui.Roi;
 final class PreviewScenes {
 
 	private static final String RESOLVE = "Resolve Filament...";
-	private final Robot robot;
+	private final Hand hand;
 
 	PreviewScenes() throws Exception {
-		robot = new Robot();
-		robot.setAutoDelay(20);
+		hand = new Hand(20);
 	}
 
 	/** Robots need a display; names do not. */
@@ -71,8 +66,8 @@ final class PreviewScenes {
 		final ImagePlus image = DialogsMain.sample("escape");
 		final Dialog dialog = open();
 		seen(dialog, image, 1);
-		focus(dialog, component(dialog, "frames"));
-		type(KeyEvent.VK_ESCAPE);
+		focus(dialog, Windows.find(dialog, "frames"));
+		hand.key(KeyEvent.VK_ESCAPE);
 		Windows.await("end", () -> !dialog.isShowing() && image.getOverlay() == null);
 		DialogsMain.require(DialogsMain.log().isEmpty(), DialogsMain.log());
 	}
@@ -104,16 +99,14 @@ final class PreviewScenes {
 	private void keys() throws Exception {
 		final ImagePlus image = DialogsMain.sample("keys");
 		final Dialog dialog = open();
-		focus(dialog, component(dialog, "frames"));
-		type(KeyEvent.VK_1);
-		type(KeyEvent.VK_MINUS);
-		type(KeyEvent.VK_3);
+		focus(dialog, Windows.find(dialog, "frames"));
+		hand.key(KeyEvent.VK_1);
+		hand.key(KeyEvent.VK_MINUS);
+		hand.key(KeyEvent.VK_3);
 		Windows.await("text", () -> Windows.field(dialog, "Frames").getText().equals("1-3"));
-		robot.keyPress(KeyEvent.VK_ALT);
-		type(KeyEvent.VK_A);
-		robot.keyRelease(KeyEvent.VK_ALT);
-		Windows.await("advanced", () -> component(dialog, "threshold").isShowing());
-		type(KeyEvent.VK_ENTER);
+		hand.key(KeyEvent.VK_A, KeyEvent.VK_ALT);
+		Windows.await("advanced", () -> Windows.find(dialog, "threshold").isShowing());
+		hand.key(KeyEvent.VK_ENTER);
 		DialogsMain.finished();
 		DialogsMain.require(image.getOverlay() != null, "Nothing came of it.");
 	}
@@ -144,16 +137,6 @@ final class PreviewScenes {
 			.mapToDouble(r -> r.getStatistics().pixelCount).sum();
 	}
 
-	private static Component component(final Dialog dialog, final String name) {
-		return named(dialog, name).findFirst().orElseThrow();
-	}
-
-	private static Stream<Component> named(final Container container, final String name) {
-		return Arrays.stream(container.getComponents())
-			.flatMap(c -> Stream.concat(name.equals(c.getName()) ? Stream.of(c) : Stream.empty(),
-				c instanceof Container inner ? named(inner, name) : Stream.empty()));
-	}
-
 	private void focus(final Dialog dialog, final Component inside) throws Exception {
 		Windows.onEvents(() -> {
 			dialog.toFront();
@@ -162,29 +145,9 @@ final class PreviewScenes {
 		Windows.await("focus", inside::isFocusOwner);
 	}
 
-	private void type(final int key) {
-		robot.keyPress(key);
-		robot.keyRelease(key);
-		robot.waitForIdle();
-	}
-
-	/** Clicks once more if the dialog has grown by a line under the pointer. */
 	private void toggle(final Dialog dialog, final String name) throws Exception {
-		final JCheckBox box = (JCheckBox) component(dialog, name);
+		final JCheckBox box = (JCheckBox) Windows.find(dialog, name);
 		final boolean before = box.isSelected();
-		Windows.await(name + " to change", () -> {
-			click(box);
-			for (int wait = 0; wait < 100 && box.isSelected() == before; wait++)
-				Thread.sleep(20);
-			return box.isSelected() != before;
-		});
-	}
-
-	private void click(final Component component) {
-		final Point at = component.getLocationOnScreen();
-		robot.mouseMove(at.x + 10, at.y + component.getHeight() / 2);
-		robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-		robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-		robot.waitForIdle();
+		hand.clickUntil(name + " to change", box, () -> box.isSelected() != before);
 	}
 }

@@ -1,22 +1,15 @@
 package io.github.knotresolver.command;
 
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Frame;
 import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.Robot;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 
-import javax.imageio.ImageIO;
-import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
@@ -49,13 +42,12 @@ final class ResultWindowsMain {
 	private static final String MOVIE = "movie.tif";
 
 	private final Path home;
-	private final Robot robot;
+	private final Hand hand;
 	private ImagePlus image;
 
 	private ResultWindowsMain(final Path home) throws Exception {
 		this.home = home;
-		robot = new Robot();
-		robot.setAutoDelay(30);
+		hand = new Hand(30);
 	}
 
 	public static void main(final String[] args) throws Exception {
@@ -82,11 +74,11 @@ final class ResultWindowsMain {
 		final TextWindow table = (TextWindow) WindowManager.getFrame(MOVIE + "-frames");
 		table.setBounds(500, 100, 600, 300);
 		table.toFront();
-		robot.waitForIdle();
+		hand.waitForIdle();
 		final Component canvas = table.getTextPanel().getComponent(0);
 		final Point corner = canvas.getLocationOnScreen();
 		// The heading is one row high, and so are the rows.
-		click(corner.x + 60, corner.y + 90);
+		hand.click(corner.x + 60, corner.y + 90);
 		final int row = table.getTextPanel().getSelectionStart();
 		require(row > 0, "No row is selected.");
 		Windows.await("frame of the row", () -> image.getCurrentSlice() == row + 1);
@@ -102,29 +94,29 @@ final class ResultWindowsMain {
 		image.deleteRoi();
 		Windows.start("Measure Contours...");
 		Windows.press(Windows.dialog("Measure Contours..."), "OK");
-		final Frame window = frame("Measurements of " + MOVIE);
-		final JTabbedPane tabs = (JTabbedPane) find(window, "tabs 1");
+		final Frame window = Windows.frame("Measurements of " + MOVIE);
+		final JTabbedPane tabs = (JTabbedPane) Windows.find(window, "tabs 1");
 		require(tabs.getTabCount() >= 4, tabs.getTabCount() + " tabs");
 		window.setLocation(500, 60);
 		select(window, tabs, "Contours");
 		picture("measure-contours.png");
 		select(window, tabs, "Kymographs");
 		picture("measure-kymographs.png");
-		clickAt(find(window, "figure tangent_angle_kymograph"), 0.4, 0.3);
+		clickAt(Windows.find(window, "figure tangent_angle_kymograph"), 0.4, 0.3);
 		Windows.await("frame of the kymograph", () -> image.getCurrentSlice() > 1);
 		reached("kymograph");
 		image.setSlice(1);
 		select(window, tabs, "Length, ends");
 		picture("measure-length.png");
-		clickAt(find(window, "figure length"), 0.8, 0.3);
+		clickAt(Windows.find(window, "figure length"), 0.8, 0.3);
 		Windows.await("frame of the point", () -> image.getCurrentSlice() > 4);
 		reached("point over time");
 		select(window, tabs, "Tip angle");
 		window.setSize(window.getWidth() * 3 / 4, window.getHeight() * 3 / 4);
 		picture("measure-small.png");
 		select(window, tabs, "Table");
-		clickAt(find(window, "table"), 0.1, 0.5);
-		final int row = ((JTable) find(window, "table")).getSelectedRow();
+		clickAt(Windows.find(window, "table"), 0.1, 0.5);
+		final int row = ((JTable) Windows.find(window, "table")).getSelectedRow();
 		Windows.await("frame of the row", () -> image.getCurrentSlice() == row + 1);
 		reached("measured row");
 		window.dispose();
@@ -136,14 +128,14 @@ final class ResultWindowsMain {
 			window.toFront();
 			tabs.setSelectedIndex(tabs.indexOfTab(tab));
 		});
-		robot.waitForIdle();
+		hand.waitForIdle();
 	}
 
 	/** What was just found, without a folder; a contour is changed in the ROI Manager meanwhile. */
 	private void review() throws Exception {
 		Windows.start("Review Result...");
 		Windows.press(Windows.dialog("Review Result...", "Result"), "OK");
-		final Frame window = frame("Review " + MOVIE);
+		final Frame window = Windows.frame("Review " + MOVIE);
 		Windows.await("ready", () -> words(window).startsWith("frame 1 "));
 		reached("live review");
 		final RoiManager manager = RoiManager.getInstance2();
@@ -159,13 +151,13 @@ final class ResultWindowsMain {
 			window.toFront();
 			window.requestFocus();
 		});
-		robot.waitForIdle();
-		key(KeyEvent.VK_M);
+		hand.waitForIdle();
+		hand.key(KeyEvent.VK_M);
 		Windows.await("taken over", () -> words(window).contains("corrected"));
 		require(words(window).startsWith("frame 3 "), words(window));
 		picture("live-review.png");
 		reached("taken over");
-		key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+		hand.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
 		Windows.await("undone", () -> words(window).contains("  resolved"));
 		close(window);
 		require(image.getWindow() != null, "The image is closed.");
@@ -182,23 +174,22 @@ final class ResultWindowsMain {
 		Windows.type(dialog, "Out", out.toString());
 		Windows.type(dialog, "Options", "frames=1-5");
 		Windows.press(dialog, "OK");
-		final Frame window = frame("Batch batch");
-		final JTable table = (JTable) find(window, "outcomes");
+		final Frame window = Windows.frame("Batch batch");
+		final JTable table = (JTable) Windows.find(window, "outcomes");
 		require(table.getRowCount() == 2 && table.getValueAt(0, 1).equals("finished")
 			&& table.getValueAt(1, 2).equals("asked for"), table.getValueAt(0, 1).toString());
 		picture("batch.png");
 		reached("batch table");
 		final Rectangle cell = table.getCellRect(0, 0, true);
 		final Point corner = table.getLocationOnScreen();
-		click(corner.x + cell.x + 20, corner.y + cell.y + 8);
-		robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-		robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+		hand.click(corner.x + cell.x + 20, corner.y + cell.y + 8);
+		hand.click();
 		close(review(out, table.getModel().getValueAt(0, 0).toString()));
 		reached("batch review");
 		SwingUtilities.invokeAndWait(window::toFront);
-		clickAt(find(window, "Review in turn"), 0.5, 0.5);
+		clickAt(Windows.find(window, "Review in turn"), 0.5, 0.5);
 		close(review(out, table.getModel().getValueAt(1, 0).toString()));
-		Windows.await("the end", () -> ((JLabel) find(window, "status")).getText()
+		Windows.await("the end", () -> ((JLabel) Windows.find(window, "status")).getText()
 			.startsWith("All have been reviewed."));
 		reached("batch in turn");
 	}
@@ -211,17 +202,7 @@ final class ResultWindowsMain {
 			folder = all.filter(p -> p.getFileName().toString().startsWith(stem)).findFirst()
 				.orElseThrow();
 		}
-		return frame("Review " + folder.getFileName());
-	}
-
-	private static Frame frame(final String title) throws Exception {
-		Windows.await(title, () -> shown(title).isPresent());
-		return shown(title).orElseThrow();
-	}
-
-	private static Optional<Frame> shown(final String title) {
-		return Arrays.stream(Frame.getFrames())
-			.filter(f -> f.isShowing() && f.getTitle().equals(title)).findFirst();
+		return Windows.frame("Review " + folder.getFileName());
 	}
 
 	private static void close(final Frame window) throws Exception {
@@ -230,50 +211,20 @@ final class ResultWindowsMain {
 	}
 
 	private static String words(final Frame window) {
-		return ((JTextArea) find(window, "frame")).getText();
-	}
-
-	private static Component find(final Container container, final String name) {
-		return named(container, name).orElseThrow(() -> new AssertionError("no " + name));
-	}
-
-	private static Optional<Component> named(final Container container, final String name) {
-		for (final Component c : container.getComponents()) {
-			if (name.equals(c.getName()) && c instanceof JComponent)
-				return Optional.of(c);
-			if (c instanceof Container inner && named(inner, name).isPresent())
-				return named(inner, name);
-		}
-		return Optional.empty();
+		return ((JTextArea) Windows.find(window, "frame")).getText();
 	}
 
 	private void clickAt(final Component component, final double across, final double down) {
 		final Point at = component.getLocationOnScreen();
-		click(at.x + (int) (across * component.getWidth()),
+		hand.click(at.x + (int) (across * component.getWidth()),
 			at.y + (int) (down * Math.min(component.getHeight(), 300)));
-	}
-
-	private void click(final int x, final int y) {
-		robot.mouseMove(x, y);
-		robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-		robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-		robot.waitForIdle();
-	}
-
-	private void key(final int... keys) {
-		for (int i = keys.length - 1; i >= 0; i--)
-			robot.keyPress(keys[i]);
-		for (final int key : keys)
-			robot.keyRelease(key);
-		robot.waitForIdle();
 	}
 
 	/** What is on the screen. */
 	private void picture(final String name) throws Exception {
-		robot.waitForIdle();
-		robot.delay(300);
-		ImageIO.write(robot.createScreenCapture(new Rectangle(1440, 1000)), "png",
-			home.resolve(name).toFile());
+		hand.waitForIdle();
+		hand.delay(300);
+		hand.picture(new Rectangle(1440, 1000), home.resolve(name).toFile());
 	}
 
 	private static void reached(final String step) {

@@ -1,12 +1,10 @@
 package io.github.knotresolver.command;
 
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Dialog;
 import java.awt.Frame;
 import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.Robot;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
@@ -14,9 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 
-import javax.imageio.ImageIO;
 import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
@@ -49,15 +45,14 @@ final class ReviewMain {
 	private static final String REVIEW = "Review Result...";
 
 	private final Path result, home;
-	private final Robot robot;
+	private final Hand hand;
 	private JFrame window;
 	private ImagePlus image;
 
 	private ReviewMain(final Path result, final Path home) throws Exception {
 		this.result = result;
 		this.home = home;
-		robot = new Robot();
-		robot.setAutoDelay(20);
+		hand = new Hand(20);
 	}
 
 	public static void main(final String[] args) throws Exception {
@@ -76,7 +71,7 @@ final class ReviewMain {
 		final int listeners = image.getCanvas().getMouseListeners().length;
 		reached("opened");
 		picture("review-small.png");
-		click(find("confidence"), 0.52);
+		hand.click(find("confidence"), 0.52, 0.5);
 		Windows.await("frame", () -> text().startsWith("frame 13 "));
 		require(image.getCurrentSlice() == 13, "slice " + image.getCurrentSlice());
 		IJ.run(image, "Next Slice [>]", "");
@@ -196,7 +191,7 @@ final class ReviewMain {
 
 	private void rest() throws Exception {
 		Windows.await("rest", () -> !label("status").endsWith("..."));
-		robot.waitForIdle();
+		hand.waitForIdle();
 	}
 
 	private void key(final int code) {
@@ -208,77 +203,47 @@ final class ReviewMain {
 			frame.toFront();
 			inside.requestFocus();
 		});
-		robot.waitForIdle();
-		robot.keyPress(code);
-		robot.keyRelease(code);
-		robot.waitForIdle();
-	}
-
-	private void click(final Component component, final double along) {
-		final Point at = component.getLocationOnScreen();
-		robot.mouseMove(at.x + (int) (along * component.getWidth()),
-			at.y + component.getHeight() / 2);
-		click();
-	}
-
-	private void click() {
-		robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-		robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-		robot.waitForIdle();
+		hand.waitForIdle();
+		hand.key(code);
 	}
 
 	private void press(final String words) {
 		final Component button = Windows.all(window.getContentPane(), JButton.class).stream()
 			.filter(b -> words.equals(b.getName())).findFirst().orElseThrow();
-		click(button, 0.5);
+		hand.click(button, 0.5, 0.5);
 	}
 
 	private void drag(final io.github.knotresolver.geometry.Point from, final int pixels) {
 		final ImageCanvas canvas = image.getCanvas();
 		SwingUtilities.invokeLater(() -> image.getWindow().toFront());
-		robot.waitForIdle();
+		hand.waitForIdle();
 		final Point corner = canvas.getLocationOnScreen();
 		final int x = corner.x + canvas.screenXD(from.x() + 0.5),
 			y = corner.y + canvas.screenYD(from.y() + 0.5);
 		final int far = (int) Math.max(5, pixels * canvas.getMagnification());
-		robot.mouseMove(x, y);
-		robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-		robot.mouseMove(x + far / 2, y);
-		robot.mouseMove(x + far, y);
-		robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-		robot.waitForIdle();
+		hand.mouseMove(x, y);
+		hand.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+		hand.mouseMove(x + far / 2, y);
+		hand.mouseMove(x + far, y);
+		hand.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+		hand.waitForIdle();
 	}
 
 	private Component find(final String name) {
-		return named(window.getContentPane(), name).orElse(null);
-	}
-
-	private static Optional<Component> named(final Container container, final String name) {
-		for (final Component c : container.getComponents()) {
-			if (name.equals(c.getName()))
-				return Optional.of(c);
-			if (c instanceof Container inner) {
-				final Optional<Component> found = named(inner, name);
-				if (found.isPresent())
-					return found;
-			}
-		}
-		return Optional.empty();
+		return Windows.named(window.getContentPane(), name).orElse(null);
 	}
 
 	private String label(final String name) {
-		return ((JLabel) named(window.getContentPane(), name).orElseThrow()).getText();
+		return ((JLabel) Windows.named(window.getContentPane(), name).orElseThrow()).getText();
 	}
 
 	private String text() {
-		return ((JTextArea) named(window.getContentPane(), "frame").orElseThrow()).getText();
+		return ((JTextArea) Windows.named(window.getContentPane(), "frame").orElseThrow()).getText();
 	}
 
 	/** What is on the screen. */
 	private void picture(final String name) throws Exception {
-		robot.waitForIdle();
-		ImageIO.write(robot.createScreenCapture(new Rectangle(1440, 1000)), "png",
-			home.resolve(name).toFile());
+		hand.picture(new Rectangle(1440, 1000), home.resolve(name).toFile());
 	}
 
 	private static void reached(final String step) {

@@ -4,17 +4,12 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dialog;
 import java.awt.Frame;
-import java.awt.Point;
-import java.awt.Robot;
-import java.awt.event.InputEvent;
 import java.awt.event.WindowEvent;
 import java.util.Arrays;
 import java.util.Map;
-import java.util.Optional;
 import java.util.TreeMap;
 
 import javax.swing.JButton;
-import javax.swing.SwingUtilities;
 
 import ij.IJ;
 import ij.ImagePlus;
@@ -24,11 +19,10 @@ import ij.ImageStack;
 final class RunScenes {
 
 	private static final String RESOLVE = "Resolve Filament...";
-	private final Robot robot;
+	private final Hand hand;
 
 	private RunScenes() throws Exception {
-		robot = new Robot();
-		robot.setAutoDelay(20);
+		hand = new Hand(20);
 	}
 
 	static Map<String, DialogsMain.Scene> scenes() {
@@ -45,13 +39,15 @@ final class RunScenes {
 			() -> image.getOverlay() != null && Arrays.stream(image.getOverlay().toArray())
 				.anyMatch(r -> "look-sighted".equals(r.getName())));
 		DialogsMain.finished();
-		final Frame window = frame("Resolved watched");
+		final Frame window = Windows.frame("Resolved watched", t -> t.startsWith("Resolved watched"));
 		Windows.await("outcome",
 			() -> Windows.text(window).contains("24 frames right, 0 doubtful"));
 		DialogsMain.require(image.getOverlay().size() == 24 * 16,
 			image.getOverlay().size() + " shapes: sightings stay.");
-		click(button(window, "Review"));
-		final Frame review = frame("Review ");
+		Windows.onEvents(window::toFront);
+		hand.waitForIdle();
+		hand.click(button(window, "Review"), 0.5, 0.5);
+		final Frame review = Windows.frame("Review ", t -> t.startsWith("Review "));
 		Windows.await("end", () -> !window.isShowing());
 		review.dispatchEvent(new WindowEvent(review, WindowEvent.WINDOW_CLOSING));
 		Windows.await("end of the review", () -> !review.isShowing());
@@ -69,14 +65,11 @@ final class RunScenes {
 		once.close();
 		image.show();
 		begin("");
-		final Frame window = frame("Resolving long");
+		final Frame window = Windows.frame("Resolving long", t -> t.startsWith("Resolving long"));
 		Windows.await("stage", () -> !Windows.text(window).contains("Beginning"));
-		// The window may still grow by a line under the pointer.
-		Windows.await("cancelled", () -> {
-			click(button(window, "Cancel"));
-			Thread.sleep(1000);
-			return !window.isShowing() || Windows.dialogs().findAny().isPresent();
-		});
+		Windows.onEvents(window::toFront);
+		hand.clickUntil("cancelled", button(window, "Cancel"),
+			() -> !window.isShowing() || Windows.dialogs().findAny().isPresent());
 		Windows.message("Cancelled; nothing was written.");
 		Windows.await("end", () -> !window.isShowing());
 		DialogsMain.require(image.getOverlay() == null && !IJ.escapePressed() && !image.isLocked(),
@@ -87,7 +80,7 @@ final class RunScenes {
 		final ImagePlus image = DialogsMain.sample("closing");
 		begin("1-3");
 		DialogsMain.finished();
-		final Frame window = frame("Resolved closing");
+		final Frame window = Windows.frame("Resolved closing", t -> t.startsWith("Resolved closing"));
 		image.close();
 		Windows.await("end", () -> !window.isShowing());
 	}
@@ -100,28 +93,8 @@ final class RunScenes {
 		Windows.press(dialog, "OK");
 	}
 
-	private static Frame frame(final String title) throws Exception {
-		Windows.await(title, () -> found(title).isPresent());
-		return found(title).orElseThrow();
-	}
-
-	private static Optional<Frame> found(final String title) {
-		return Arrays.stream(Frame.getFrames())
-			.filter(f -> f.isShowing() && f.getTitle().startsWith(title)).findFirst();
-	}
-
 	private static Component button(final Container window, final String name) {
 		return Windows.all(window, JButton.class).stream().filter(b -> name.equals(b.getName()))
 			.findFirst().orElseThrow();
-	}
-
-	private void click(final Component component) throws Exception {
-		Windows.onEvents(() -> SwingUtilities.getWindowAncestor(component).toFront());
-		robot.waitForIdle();
-		final Point at = component.getLocationOnScreen();
-		robot.mouseMove(at.x + component.getWidth() / 2, at.y + component.getHeight() / 2);
-		robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-		robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-		robot.waitForIdle();
 	}
 }

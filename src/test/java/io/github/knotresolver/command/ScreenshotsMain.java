@@ -3,15 +3,11 @@ package io.github.knotresolver.command;
 import java.awt.Dialog;
 import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.Robot;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.io.File;
 import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
-
-import javax.imageio.ImageIO;
 
 import ij.IJ;
 import ij.ImageJ;
@@ -30,12 +26,11 @@ final class ScreenshotsMain {
 	private static final String RESOLVE = "Resolve Filament...";
 
 	private final File folder;
-	private final Robot robot;
+	private final Hand hand;
 
 	private ScreenshotsMain(final File folder) throws Exception {
 		this.folder = folder;
-		robot = new Robot();
-		robot.setAutoDelay(40);
+		hand = new Hand(40);
 	}
 
 	public static void main(final String[] args) throws Exception {
@@ -75,18 +70,15 @@ final class ScreenshotsMain {
 		Windows.await("ImageJ", imagej::isShowing);
 		pause();
 		final Point at = imagej.getLocationOnScreen();
-		click(at.x + 320, at.y + imagej.getInsets().top - 12);
+		hand.click(at.x + 320, at.y + imagej.getInsets().top - 12);
 		pause();
 		for (final int key : new int[]{KeyEvent.VK_UP, KeyEvent.VK_RIGHT, KeyEvent.VK_RIGHT}) {
-			robot.keyPress(key);
-			robot.keyRelease(key);
+			hand.key(key);
 			pause();
 		}
 		capture("menu.png", new Rectangle(0, 0, 930, 320));
-		for (int i = 0; i < 4; i++) {
-			robot.keyPress(KeyEvent.VK_ESCAPE);
-			robot.keyRelease(KeyEvent.VK_ESCAPE);
-		}
+		for (int i = 0; i < 4; i++)
+			hand.key(KeyEvent.VK_ESCAPE);
 	}
 
 	private void noImage() throws Exception {
@@ -109,8 +101,7 @@ final class ScreenshotsMain {
 		pause();
 		image.getWindow().toFront();
 		image.getCanvas().requestFocus();
-		robot.keyPress(KeyEvent.VK_ESCAPE);
-		robot.keyRelease(KeyEvent.VK_ESCAPE);
+		hand.key(KeyEvent.VK_ESCAPE);
 		expect("Cancelled");
 		if (image.getOverlay() != null)
 			throw new IllegalStateException("Cancelled, but there is an overlay.");
@@ -165,17 +156,11 @@ final class ScreenshotsMain {
 		System.out.println("Message: " + Windows.message(sentence));
 	}
 
-	private void click(final int x, final int y) {
-		robot.mouseMove(x, y);
-		robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-		robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-	}
-
 	private void pause() throws InterruptedException {
 		Thread.sleep(700);
 	}
 
 	private void capture(final String name, final Rectangle part) throws IOException {
-		ImageIO.write(robot.createScreenCapture(part), "png", new File(folder, name));
+		hand.picture(part, new File(folder, name));
 	}
 }

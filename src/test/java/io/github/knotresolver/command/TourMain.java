@@ -2,7 +2,6 @@ package io.github.knotresolver.command;
 
 import java.awt.Color;
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Frame;
 import java.awt.Graphics2D;
 import java.awt.MouseInfo;
@@ -10,7 +9,6 @@ import java.awt.Point;
 import java.awt.Polygon;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
-import java.awt.Robot;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
@@ -18,11 +16,7 @@ import java.awt.image.BufferedImage;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
-import java.util.Optional;
 
-import javax.imageio.ImageIO;
-import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
@@ -52,7 +46,7 @@ final class TourMain {
 
 	private final File folder;
 	private final Path home;
-	private final Robot robot;
+	private final Hand hand;
 	private final FilmGif film;
 	private Frame window;
 	private ImagePlus image;
@@ -60,8 +54,7 @@ final class TourMain {
 	private TourMain(final File folder, final Path home) throws Exception {
 		this.folder = folder;
 		this.home = home;
-		robot = new Robot();
-		robot.setAutoDelay(40);
+		hand = new Hand(40);
 		film = new FilmGif(new File(folder, "review.gif").toPath());
 	}
 
@@ -98,7 +91,7 @@ final class TourMain {
 		image.getWindow().setLocation(10, 10);
 		Windows.start("Review Result...");
 		Windows.press(Windows.dialog("Review Result...", "Result"), "OK");
-		window = frame("Review noisy-result");
+		window = Windows.frame("Review noisy-result");
 		window.setLocation(10, image.getWindow().getHeight() + 20);
 		Windows.await("ready",
 			() -> find("headline") instanceof JLabel l && l.getText().contains("resolved"));
@@ -107,19 +100,19 @@ final class TourMain {
 		press("Next doubtful");
 		shot(10);
 		capture("review.png", both());
-		while (named(window, "alternative 2").isEmpty())
-			key(KeyEvent.VK_N);
+		while (Windows.named(window, "alternative 2").isEmpty())
+			hand.key(KeyEvent.VK_N);
 		move(find("alternative 2"), 0.5, 0.5);
-		robot.delay(300);
+		hand.delay(300);
 		shot(12);
-		key(KeyEvent.VK_SPACE);
+		hand.key(KeyEvent.VK_SPACE);
 		shot(8);
 		drag(result);
-		key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+		hand.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
 		rest();
 		shot(8);
 		film.close();
-		key(KeyEvent.VK_S);
+		hand.key(KeyEvent.VK_S);
 		Windows.await("saved", () -> ((JLabel) find("status")).getText().startsWith("Saved in"));
 		final Frame review = window;
 		SwingUtilities.invokeLater(
@@ -136,14 +129,14 @@ final class TourMain {
 		final var held = contour.at(0.7 * contour.length());
 		final int x = corner.x + canvas.screenXD(held.x() + 0.5),
 			y = corner.y + canvas.screenYD(held.y() + 0.5);
-		robot.mouseMove(x, y);
-		robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+		hand.mouseMove(x, y);
+		hand.mousePress(InputEvent.BUTTON1_DOWN_MASK);
 		for (int i = 1; i <= 4; i++) {
-			robot.mouseMove(x + 3 * i, y - 7 * i);
+			hand.mouseMove(x + 3 * i, y - 7 * i);
 			shot(3);
 		}
-		robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-		robot.delay(100);
+		hand.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+		hand.delay(100);
 		shot(4);
 		rest();
 		shot(10);
@@ -151,7 +144,7 @@ final class TourMain {
 
 	private void rest() throws Exception {
 		Windows.await("rest", () -> !((JLabel) find("status")).getText().endsWith("..."));
-		robot.waitForIdle();
+		hand.waitForIdle();
 	}
 
 	private void measure() throws Exception {
@@ -162,15 +155,15 @@ final class TourMain {
 		image.getWindow().setLocation(10, 10);
 		Windows.start("Measure Contours...");
 		Windows.press(Windows.dialog("Measure Contours..."), "OK");
-		window = frame("Measurements of clear.tif");
+		window = Windows.frame("Measurements of clear.tif");
 		window.setLocation(image.getWindow().getWidth() + 20, 60);
 		window.toFront();
 		final JTabbedPane tabs = (JTabbedPane) find("tabs 1");
 		SwingUtilities.invokeAndWait(() -> tabs.setSelectedIndex(tabs.indexOfTab("Kymographs")));
-		robot.delay(500);
+		hand.delay(500);
 		move(find("figure tangent_angle_kymograph"), 0.5, 0.4);
-		click();
-		robot.delay(500);
+		hand.click();
+		hand.delay(500);
 		capture("measurements.png", both());
 		window.dispose();
 		image.changes = false;
@@ -186,8 +179,8 @@ final class TourMain {
 		Windows.type(dialog, "Input", home.resolve("sheet.csv").toString());
 		Windows.type(dialog, "Out", out.toString());
 		Windows.press(dialog, "OK");
-		window = frame("Batch batch");
-		robot.delay(500);
+		window = Windows.frame("Batch batch");
+		hand.delay(500);
 		capture("batch.png", window.getBounds());
 	}
 
@@ -197,9 +190,9 @@ final class TourMain {
 
 	/** Pictures of the film, each so many tenths of a second long. */
 	private void shot(final int tenths) throws Exception {
-		robot.waitForIdle();
+		hand.waitForIdle();
 		final Rectangle part = both();
-		film.add(scaled(withMouse(robot.createScreenCapture(part), part)), tenths);
+		film.add(scaled(withMouse(hand.createScreenCapture(part), part)), tenths);
 	}
 
 	/** A capture of the screen has no mouse. */
@@ -233,57 +226,23 @@ final class TourMain {
 	private void press(final String words) throws Exception {
 		move(find(words), 0.5, 0.5);
 		shot(3);
-		click();
+		hand.click();
 	}
 
 	private void move(final Component component, final double across, final double down) {
 		final Point at = component.getLocationOnScreen();
-		robot.mouseMove(at.x + (int) (across * component.getWidth()),
+		hand.mouseMove(at.x + (int) (across * component.getWidth()),
 			at.y + (int) (down * component.getHeight()));
-		robot.waitForIdle();
-	}
-
-	private void click() {
-		robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-		robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-		robot.waitForIdle();
-	}
-
-	private void key(final int... keys) {
-		for (int i = keys.length - 1; i >= 0; i--)
-			robot.keyPress(keys[i]);
-		for (final int key : keys)
-			robot.keyRelease(key);
-		robot.waitForIdle();
+		hand.waitForIdle();
 	}
 
 	private void capture(final String name, final Rectangle part) throws Exception {
-		robot.waitForIdle();
-		robot.delay(300);
-		ImageIO.write(robot.createScreenCapture(part), "png", new File(folder, name));
-	}
-
-	private static Frame frame(final String title) throws Exception {
-		Windows.await(title, () -> shown(title).isPresent());
-		return shown(title).orElseThrow();
-	}
-
-	private static Optional<Frame> shown(final String title) {
-		return Arrays.stream(Frame.getFrames())
-			.filter(f -> f.isShowing() && f.getTitle().equals(title)).findFirst();
+		hand.waitForIdle();
+		hand.delay(300);
+		hand.picture(part, new File(folder, name));
 	}
 
 	private Component find(final String name) {
-		return named(window, name).orElseThrow(() -> new AssertionError("no " + name));
-	}
-
-	private static Optional<Component> named(final Container container, final String name) {
-		for (final Component c : container.getComponents()) {
-			if (name.equals(c.getName()) && c instanceof JComponent)
-				return Optional.of(c);
-			if (c instanceof Container inner && named(inner, name).isPresent())
-				return named(inner, name);
-		}
-		return Optional.empty();
+		return Windows.find(window, name);
 	}
 }

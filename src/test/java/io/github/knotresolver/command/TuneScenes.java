@@ -1,18 +1,11 @@
 package io.github.knotresolver.command;
 
-import java.awt.Component;
-import java.awt.Container;
 import java.awt.Dialog;
 import java.awt.Frame;
-import java.awt.Point;
-import java.awt.Robot;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.Arrays;
 import java.util.Map;
-import java.util.Optional;
 import java.util.TreeMap;
-import java.util.stream.Stream;
 
 import javax.swing.JSpinner;
 
@@ -22,11 +15,10 @@ import ij.ImagePlus;
 final class TuneScenes {
 
 	private static final String TUNE = "Tune Segmentation...";
-	private final Robot robot;
+	private final Hand hand;
 
 	private TuneScenes() throws Exception {
-		robot = new Robot();
-		robot.setAutoDelay(20);
+		hand = new Hand(20);
 	}
 
 	static Map<String, DialogsMain.Scene> scenes() {
@@ -39,18 +31,18 @@ final class TuneScenes {
 		final ImagePlus image = DialogsMain.sample("tuned");
 		final Frame window = open(image);
 		final double automatic = area(image);
-		click(named(window, "strip"), 0.5);
+		hand.click(Windows.find(window, "strip"), 0.5, 0.5);
 		Windows.await("frame 13", () -> image.getCurrentSlice() == 13 && area(image) > 0
 			&& Windows.text(window).contains("frame 13: "));
 		image.setSlice(2);
 		Windows.await("frame 2", () -> Windows.text(window).contains("frame 2: "));
-		click(named(window, "histogram"), 0.9);
+		hand.click(Windows.find(window, "histogram"), 0.9, 0.5);
 		Windows.await("threshold",
 			() -> Math
-				.abs(((Number) ((JSpinner) named(window, "threshold")).getValue()).doubleValue()
+				.abs(((Number) ((JSpinner) Windows.find(window, "threshold")).getValue()).doubleValue()
 					- 0.9) < 0.02);
 		Windows.await("smaller mask", () -> area(image) > 0 && area(image) < automatic);
-		click(named(window, "Use in Resolve"), 0.5);
+		hand.click(Windows.find(window, "Use in Resolve"), 0.5, 0.5);
 		final Dialog dialog = Windows.dialog("Resolve Filament...");
 		DialogsMain.require(!window.isShowing(), "The window stays.");
 		DialogsMain.require(Windows.field(dialog, "Threshold").getText().startsWith("0."),
@@ -73,11 +65,10 @@ final class TuneScenes {
 		final Frame again = open(other);
 		Windows.onEvents(() -> {
 			again.toFront();
-			named(again, "Close").requestFocus();
+			Windows.find(again, "Close").requestFocus();
 		});
-		Windows.await("focus", () -> named(again, "Close").isFocusOwner());
-		robot.keyPress(KeyEvent.VK_ESCAPE);
-		robot.keyRelease(KeyEvent.VK_ESCAPE);
+		Windows.await("focus", () -> Windows.find(again, "Close").isFocusOwner());
+		hand.key(KeyEvent.VK_ESCAPE);
 		Windows.await("end", () -> !again.isShowing() && other.getOverlay() == null);
 	}
 
@@ -85,14 +76,9 @@ final class TuneScenes {
 		Windows.start(TUNE);
 		Windows.press(Windows.dialog(TUNE), "OK");
 		final String title = "Tune " + image.getTitle();
-		Windows.await("window", () -> frame(title).isPresent());
+		final Frame window = Windows.frame(title);
 		Windows.await("mask", () -> area(image) > 0);
-		return frame(title).orElseThrow();
-	}
-
-	private static Optional<Frame> frame(final String title) {
-		return Arrays.stream(Frame.getFrames())
-			.filter(f -> f.isShowing() && f.getTitle().equals(title)).findFirst();
+		return window;
 	}
 
 	/** Pixels inside the outline that is drawn. */
@@ -102,23 +88,5 @@ final class TuneScenes {
 			: Arrays.stream(image.getOverlay().toArray())
 				.filter(r -> "look-mask".equals(r.getName()))
 				.mapToDouble(r -> r.getStatistics().pixelCount).sum();
-	}
-
-	private static Component named(final Container container, final String name) {
-		return all(container).filter(c -> name.equals(c.getName())).findFirst().orElseThrow();
-	}
-
-	private static Stream<Component> all(final Container container) {
-		return Arrays.stream(container.getComponents()).flatMap(c -> Stream.concat(Stream.of(c),
-			c instanceof Container inner ? all(inner) : Stream.empty()));
-	}
-
-	private void click(final Component component, final double along) {
-		final Point at = component.getLocationOnScreen();
-		robot.mouseMove(at.x + (int) (along * component.getWidth()) + 1,
-			at.y + component.getHeight() / 2);
-		robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
-		robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-		robot.waitForIdle();
 	}
 }

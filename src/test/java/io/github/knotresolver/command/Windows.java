@@ -5,6 +5,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dialog;
 import java.awt.EventQueue;
+import java.awt.Frame;
 import java.awt.Label;
 import java.awt.TextField;
 import java.awt.Window;
@@ -13,12 +14,15 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
@@ -111,6 +115,38 @@ final class Windows {
 		} catch (final ReflectiveOperationException e) {
 			throw new IllegalStateException(e);
 		}
+	}
+
+	/** Waits for a window with this title. */
+	static Frame frame(final String title) throws Exception {
+		return frame(title, title::equals);
+	}
+
+	/** Waits for a window whose title is such a one. */
+	static Frame frame(final String what, final Predicate<String> title) throws Exception {
+		await(what, () -> shown(title).isPresent());
+		return shown(title).orElseThrow();
+	}
+
+	private static Optional<Frame> shown(final Predicate<String> title) {
+		return Arrays.stream(Frame.getFrames())
+			.filter(f -> f.isShowing() && title.test(f.getTitle())).findFirst();
+	}
+
+	/** The part of a window that has this name. */
+	static Component find(final Container container, final String name) {
+		return named(container, name).orElseThrow(() -> new AssertionError("no " + name));
+	}
+
+	/** The part of a window that has this name, if there is one. */
+	static Optional<Component> named(final Container container, final String name) {
+		for (final Component c : container.getComponents()) {
+			if (name.equals(c.getName()) && c instanceof JComponent)
+				return Optional.of(c);
+			if (c instanceof Container inner && named(inner, name).isPresent())
+				return named(inner, name);
+		}
+		return Optional.empty();
 	}
 
 	/** All components of a kind, in their order. */
