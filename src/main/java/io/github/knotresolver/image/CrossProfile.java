@@ -67,7 +67,8 @@ public final class CrossProfile {
 			if (profile[k] > profile[top])
 				top = k;
 		final double background = (RobustStatistics.median(Arrays.copyOf(profile, OUTER))
-			+ RobustStatistics.median(Arrays.copyOfRange(profile, STEPS + 1 - OUTER, STEPS + 1))) / 2;
+			+ RobustStatistics.median(Arrays.copyOfRange(profile, STEPS + 1 - OUTER, STEPS + 1)))
+			/ 2;
 		final double half = (profile[top] + background) / 2;
 		return side(profile, top, half, 1) + side(profile, top, half, -1);
 	}

@@ -42,7 +42,8 @@ public final class LineVote {
 		for (int sign = 0; sign < 2; sign++)
 			for (int k = 0; k < SCALES; k++) {
 				final int a = sign, b = k;
-				votes[sign][k] = RobustStatistics.median(each.stream().mapToDouble(v -> v[a][b]).toArray());
+				votes[sign][k] = RobustStatistics
+					.median(each.stream().mapToDouble(v -> v[a][b]).toArray());
 			}
 		return new LineVote(votes);
 	}

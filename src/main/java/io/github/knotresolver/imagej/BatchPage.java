@@ -129,7 +129,7 @@ final class BatchPage {
 	}
 
 	private void tables(final ResultDigest digest) throws IOException {
-		final BufferedImage strip = ConfidenceStrip.of(digest);
+		final BufferedImage strip = ConfidenceRows.of(digest);
 		html.write("<img class=\"strip\" style=\"height: " + (6 + 8 * strip.getHeight())
 			+ "px\" alt=\"Confidence of each frame\" src=\"" + EmbeddedPicture.exact(strip)
 			+ "\" />\n<p>" + digest.resolved() + " of " + digest.frames() + " frames, length "

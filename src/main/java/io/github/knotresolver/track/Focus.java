@@ -53,11 +53,13 @@ record Focus(double[] widening, double[] brightness) {
 		if (!changes(widths))
 			return frames;
 		final double[] smooth = medians(widths, SMOOTH);
-		final double usual = RobustStatistics.median(Arrays.stream(smooth).filter(Double::isFinite).toArray());
+		final double usual = RobustStatistics
+			.median(Arrays.stream(smooth).filter(Double::isFinite).toArray());
 		final double[] bright = medians(IntStream.range(0, widths.length)
 			.mapToDouble(t -> brightness(frames.get(t), sets.get(t)) / peak(smooth[t])).toArray(),
 			SMOOTH);
-		final double strand = RobustStatistics.median(Arrays.stream(bright).filter(b -> b > 0).toArray());
+		final double strand = RobustStatistics
+			.median(Arrays.stream(bright).filter(b -> b > 0).toArray());
 		final List<FrameView> known = new ArrayList<>();
 		for (int t = 0; t < smooth.length; t++)
 			known.add(Double.isFinite(smooth[t]) && bright[t] > 0

@@ -55,7 +55,8 @@ record Lengths(double[] whole, double longestCut, double cutShare,
 		final double[] good = Arrays.stream(whole)
 			.filter(l -> Math.abs(l / middle - 1) < TrackTuning.WHOLE_OUTLIER).toArray();
 		final double length = RobustStatistics.median(good);
-		final double spread = RobustStatistics.median(Arrays.stream(good).map(l -> Math.abs(l - length)).toArray());
+		final double spread = RobustStatistics
+			.median(Arrays.stream(good).map(l -> Math.abs(l - length)).toArray());
 		return estimate.withLength(length, MEDIAN_ERROR * spread / Math.sqrt(good.length));
 	}
 }

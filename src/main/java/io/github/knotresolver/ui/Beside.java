@@ -35,8 +35,13 @@ final class Beside {
 	/** No larger than the screen, and inside it. */
 	static void keepOnScreen(final Window window) {
 		final Rectangle screen = GUI.getMaxWindowBounds(window);
-		final int width = Math.min(screen.width, window.getWidth()),
-			height = Math.min(screen.height, window.getHeight());
+		resize(window, Math.min(screen.width, window.getWidth()),
+			Math.min(screen.height, window.getHeight()));
+	}
+
+	/** Of another size, moved as far as it would leave the screen. */
+	static void resize(final Window window, final int width, final int height) {
+		final Rectangle screen = GUI.getMaxWindowBounds(window);
 		window.setBounds(
 			Math.max(screen.x, Math.min(window.getX(), screen.x + screen.width - width)),
 			Math.max(screen.y, Math.min(window.getY(), screen.y + screen.height - height)), width,

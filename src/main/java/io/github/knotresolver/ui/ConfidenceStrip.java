@@ -6,13 +6,11 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Polygon;
 import java.awt.RenderingHints;
-import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.HashSet;
 import java.util.Locale;
 import java.util.Set;
 
-import javax.swing.JComponent;
 import javax.swing.Timer;
 import javax.swing.ToolTipManager;
 
@@ -24,7 +22,7 @@ import io.github.knotresolver.ui.model.ReviewModel;
  * triangle above, checked ones a square below, frames without a contour a grey column with a bar
  * across. A click goes to the frame.
  */
-final class ConfidenceStrip extends JComponent {
+final class ConfidenceStrip extends MovieStrip {
 
 	private static final long serialVersionUID = 1L;
 	private static final Color GROUND = new Color(0x2b, 0x2b, 0x2b),
@@ -40,21 +38,9 @@ final class ConfidenceStrip extends JComponent {
 	private int bright;
 
 	ConfidenceStrip(final ReviewModel model) {
+		super(() -> model.movie().size());
 		this.model = model;
-		final MouseAdapter mouse = new MouseAdapter() {
-
-			@Override
-			public void mousePressed(final MouseEvent e) {
-				model.goTo(frameAt(e.getX()));
-			}
-
-			@Override
-			public void mouseDragged(final MouseEvent e) {
-				model.goTo(frameAt(e.getX()));
-			}
-		};
-		addMouseListener(mouse);
-		addMouseMotionListener(mouse);
+		Dragging.in(this, x -> model.goTo(frameAt(x)));
 		setName("confidence");
 		ToolTipManager.sharedInstance().registerComponent(this);
 	}
@@ -80,11 +66,6 @@ final class ConfidenceStrip extends JComponent {
 	public Dimension getPreferredSize() {
 		final int em = getFontMetrics(getFont()).getHeight();
 		return new Dimension(40 * em, 5 * em);
-	}
-
-	private int frameAt(final int x) {
-		return Math.max(1,
-			Math.min(model.movie().size(), 1 + x * model.movie().size() / Math.max(1, getWidth())));
 	}
 
 	@Override
@@ -158,9 +139,5 @@ final class ConfidenceStrip extends JComponent {
 		g.drawRect(left - 2, 0, width + 2, getHeight() - 1);
 		g.setColor(Color.WHITE);
 		g.drawRect(left - 1, 1, width, getHeight() - 3);
-	}
-
-	private int left(final int frame) {
-		return (int) ((long) (frame - 1) * getWidth() / model.movie().size());
 	}
 }

@@ -4,10 +4,8 @@ import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 
-import javax.swing.JComponent;
 import javax.swing.ToolTipManager;
 
 import io.github.knotresolver.ui.model.TuneModel;
@@ -16,7 +14,7 @@ import io.github.knotresolver.ui.model.TuneModel;
  * The whole movie at a glance: one column a frame, as high as its mask is large. One object is grey,
  * several are orange with a white mark above, a frame without any has a cross. A click goes there.
  */
-final class FrameStrip extends JComponent {
+final class FrameStrip extends MovieStrip {
 
 	private static final long serialVersionUID = 1L;
 	private static final Color GROUND = new Color(0x2b, 0x2b, 0x2b),
@@ -26,28 +24,11 @@ final class FrameStrip extends JComponent {
 	private final transient TuneModel model;
 
 	FrameStrip(final TuneModel model) {
+		super(() -> model.movie().size());
 		this.model = model;
 		setName("strip");
 		ToolTipManager.sharedInstance().registerComponent(this);
-		final MouseAdapter mouse = new MouseAdapter() {
-
-			@Override
-			public void mousePressed(final MouseEvent e) {
-				model.goTo(frameAt(e.getX()));
-			}
-
-			@Override
-			public void mouseDragged(final MouseEvent e) {
-				model.goTo(frameAt(e.getX()));
-			}
-		};
-		addMouseListener(mouse);
-		addMouseMotionListener(mouse);
-	}
-
-	private int frameAt(final int x) {
-		return Math.max(1,
-			Math.min(model.movie().size(), 1 + x * model.movie().size() / Math.max(1, getWidth())));
+		Dragging.in(this, x -> model.goTo(frameAt(x)));
 	}
 
 	@Override
@@ -77,7 +58,7 @@ final class FrameStrip extends JComponent {
 			most = Math.max(most, area);
 		final int mark = Math.max(5, getHeight() / 8), room = getHeight() - mark - 1;
 		for (int t = 0; t < objects.length; t++) {
-			final int left = left(t), width = Math.max(1, left(t + 1) - left),
+			final int left = left(t + 1), width = Math.max(1, left(t + 2) - left),
 				gap = width > 4 ? 1 : 0,
 				height = Math.max(1, (int) ((long) room * areas[t] / most));
 			g.setColor(objects[t] < 0 ? UNKNOWN : objects[t] > 1 ? SEVERAL : ONE);
@@ -93,15 +74,11 @@ final class FrameStrip extends JComponent {
 				g.fillRect(left, 0, width - gap, mark - 2);
 			}
 		}
-		final int left = left(model.frame() - 1), width = Math.max(3, left(model.frame()) - left);
+		final int left = left(model.frame()), width = Math.max(3, left(model.frame() + 1) - left);
 		g.setColor(Color.BLACK);
 		g.drawRect(left + 1, 1, width - 2, getHeight() - 3);
 		g.setColor(Color.WHITE);
 		g.drawRect(left, 0, width, getHeight() - 1);
 		g.dispose();
-	}
-
-	private int left(final int t) {
-		return (int) ((long) t * getWidth() / model.movie().size());
 	}
 }

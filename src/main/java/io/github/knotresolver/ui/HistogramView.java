@@ -4,8 +4,6 @@ import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.event.MouseAdapter;
-import java.awt.event.MouseEvent;
 import java.util.Locale;
 
 import javax.swing.JComponent;
@@ -30,20 +28,7 @@ final class HistogramView extends JComponent {
 		setName("histogram");
 		setToolTipText(
 			"Pixels by brightness (logarithmic); triangle: automatic; drag the line of the threshold");
-		final MouseAdapter mouse = new MouseAdapter() {
-
-			@Override
-			public void mousePressed(final MouseEvent e) {
-				set(e.getX());
-			}
-
-			@Override
-			public void mouseDragged(final MouseEvent e) {
-				set(e.getX());
-			}
-		};
-		addMouseListener(mouse);
-		addMouseMotionListener(mouse);
+		Dragging.in(this, this::set);
 	}
 
 	private void set(final int x) {

@@ -9,7 +9,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedSet;
 
-import javax.swing.JComponent;
 import javax.swing.ToolTipManager;
 
 import io.github.knotresolver.ui.model.ReviewModel;
@@ -18,7 +17,7 @@ import io.github.knotresolver.ui.model.ReviewModel;
  * When the filament crosses which, below the strip of confidence: one row for each filament that it
  * crosses, itself first, with a mark in each such frame. A click goes to the frame.
  */
-final class MeetingStrip extends JComponent {
+final class MeetingStrip extends MovieStrip {
 
 	private static final long serialVersionUID = 1L;
 	private static final int MOST_ROWS = 6;
@@ -28,6 +27,7 @@ final class MeetingStrip extends JComponent {
 	private final transient ReviewModel model;
 
 	MeetingStrip(final ReviewModel model) {
+		super(() -> model.movie().size());
 		this.model = model;
 		setName("crossings");
 		addMouseListener(new MouseAdapter() {
@@ -60,11 +60,6 @@ final class MeetingStrip extends JComponent {
 	@Override
 	public Dimension getPreferredSize() {
 		return new Dimension(1, rows().size() * rowHeight());
-	}
-
-	private int frameAt(final int x) {
-		return Math.max(1,
-			Math.min(model.movie().size(), 1 + x * model.movie().size() / Math.max(1, getWidth())));
 	}
 
 	@Override
@@ -105,9 +100,5 @@ final class MeetingStrip extends JComponent {
 		g.fillRect(0, top + 1, width + 6, height - 1);
 		g.setColor(Color.WHITE);
 		g.drawString("x " + name, 3, top + height - 4);
-	}
-
-	private int left(final int frame) {
-		return (int) ((long) (frame - 1) * getWidth() / model.movie().size());
 	}
 }

@@ -1,20 +1,17 @@
 package io.github.knotresolver.ui;
 
 import java.awt.FlowLayout;
-import java.awt.event.ActionEvent;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 
-import javax.swing.AbstractAction;
 import javax.swing.BoxLayout;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.JRootPane;
-import javax.swing.KeyStroke;
 
 import ij.ImagePlus;
 import ij.plugin.frame.RoiManager;
@@ -89,14 +86,14 @@ final class ReviewActions {
 	}
 
 	private void walk(final JRootPane root) {
-		key(root, "LEFT", () -> model.goTo(model.frame() - 1));
-		key(root, "RIGHT", () -> model.goTo(model.frame() + 1));
-		key(root, "UP", () -> model.choose(model.filament() - 1));
-		key(root, "DOWN", () -> model.choose(model.filament() + 1));
-		key(root, "1", model::accept);
+		WindowActions.onKey(root, "LEFT", () -> model.goTo(model.frame() - 1));
+		WindowActions.onKey(root, "RIGHT", () -> model.goTo(model.frame() + 1));
+		WindowActions.onKey(root, "UP", () -> model.choose(model.filament() - 1));
+		WindowActions.onKey(root, "DOWN", () -> model.choose(model.filament() + 1));
+		WindowActions.onKey(root, "1", model::accept);
 		for (int i = 0; i < MOST_ALTERNATIVES; i++) {
 			final int index = i;
-			key(root, Integer.toString(i + 2), () -> model.take(index));
+			WindowActions.onKey(root, Integer.toString(i + 2), () -> model.take(index));
 		}
 	}
 
@@ -138,19 +135,6 @@ final class ReviewActions {
 				+ " taken over from the ROI Manager.");
 	}
 
-	private static void key(final JRootPane root, final String key, final Runnable action) {
-		root.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke(key), key);
-		root.getActionMap().put(key, new AbstractAction() {
-
-			private static final long serialVersionUID = 1L;
-
-			@Override
-			public void actionPerformed(final ActionEvent e) {
-				action.run();
-			}
-		});
-	}
-
 	/** Buttons beside each other. */
 	private static final class Row {
 
@@ -169,7 +153,7 @@ final class ReviewActions {
 			button.setToolTipText(help + " (key: " + key.toLowerCase(Locale.ROOT) + ")");
 			button.addActionListener(e -> action.run());
 			panel.add(button);
-			key(root, key, action);
+			WindowActions.onKey(root, key, action);
 		}
 	}
 }

@@ -3,16 +3,12 @@ package io.github.knotresolver.ui;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
-import java.awt.Rectangle;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 
 import javax.swing.BorderFactory;
@@ -25,10 +21,8 @@ import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
-import javax.swing.WindowConstants;
 
 import ij.ImagePlus;
-import ij.gui.GUI;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.imagej.ReviewPictures;
 import io.github.knotresolver.model.Alternative;
@@ -64,7 +58,6 @@ public final class ReviewWindow {
 	private final Thumbnails alternatives = new Thumbnails(this::hover),
 		neighbours = new Thumbnails(contour -> {
 		});
-	private final AtomicBoolean stale = new AtomicBoolean();
 	private final AtomicInteger saving = new AtomicInteger();
 	private boolean gone;
 
@@ -155,15 +148,8 @@ public final class ReviewWindow {
 		all.add(strips, BorderLayout.CENTER);
 		all.add(below, BorderLayout.SOUTH);
 		window.setContentPane(all);
-		window.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
-		window.addWindowListener(new WindowAdapter() {
-
-			@Override
-			public void windowClosing(final WindowEvent e) {
-				leave(true);
-			}
-		});
-		model.listen(this::refreshSoon);
+		WindowActions.onClosing(window, () -> leave(true));
+		model.listen(new Soon(this::refresh));
 		refresh();
 		window.pack();
 		Beside.place(window, image.getWindow());
@@ -179,13 +165,7 @@ public final class ReviewWindow {
 			link.show(contour);
 	}
 
-	private void refreshSoon() {
-		if (!stale.getAndSet(true))
-			SwingUtilities.invokeLater(this::refresh);
-	}
-
 	private void refresh() {
-		stale.set(false);
 		if (gone)
 			return;
 		headline.setText(ReviewWords.headline(model));
@@ -232,13 +212,8 @@ public final class ReviewWindow {
 		if (!window.isVisible()
 			|| wanted.height <= window.getHeight() && wanted.width <= window.getWidth())
 			return;
-		final Rectangle screen = GUI.getMaxWindowBounds(window);
-		final int width = Math.max(wanted.width, window.getWidth()),
-			height = Math.max(wanted.height, window.getHeight());
-		window.setBounds(
-			Math.max(screen.x, Math.min(window.getX(), screen.x + screen.width - width)),
-			Math.max(screen.y, Math.min(window.getY(), screen.y + screen.height - height)), width,
-			height);
+		Beside.resize(window, Math.max(wanted.width, window.getWidth()),
+			Math.max(wanted.height, window.getHeight()));
 	}
 
 	private void save() {

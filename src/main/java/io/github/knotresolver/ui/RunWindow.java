@@ -2,24 +2,17 @@ package io.github.knotresolver.ui;
 
 import java.awt.BorderLayout;
 import java.awt.FlowLayout;
-import java.awt.event.ActionEvent;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import java.io.IOException;
 import java.util.Optional;
 
-import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
-import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
-import javax.swing.WindowConstants;
 
 import ij.IJ;
 import ij.ImageListener;
@@ -101,25 +94,8 @@ public final class RunWindow implements ImageListener, AutoCloseable {
 		all.add(buttons, BorderLayout.SOUTH);
 		window.setContentPane(all);
 		window.setAutoRequestFocus(false);
-		window.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
-		window.addWindowListener(new WindowAdapter() {
-
-			@Override
-			public void windowClosing(final WindowEvent e) {
-				stop();
-			}
-		});
-		window.getRootPane().getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW)
-			.put(KeyStroke.getKeyStroke("ESCAPE"), "stop");
-		window.getRootPane().getActionMap().put("stop", new AbstractAction() {
-
-			private static final long serialVersionUID = 1L;
-
-			@Override
-			public void actionPerformed(final ActionEvent e) {
-				stop();
-			}
-		});
+		WindowActions.onClosing(window, this::stop);
+		WindowActions.onKey(window.getRootPane(), "ESCAPE", this::stop);
 		ImagePlus.addImageListener(this);
 	}
 

@@ -2,19 +2,14 @@ package io.github.knotresolver.ui;
 
 import java.awt.Component;
 import java.awt.FlowLayout;
-import java.awt.event.ActionEvent;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 
-import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
 import javax.swing.BoxLayout;
@@ -26,9 +21,8 @@ import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
-import javax.swing.KeyStroke;
+import javax.swing.JRootPane;
 import javax.swing.SwingUtilities;
-import javax.swing.WindowConstants;
 
 import ij.ImageListener;
 import ij.ImagePlus;
@@ -57,7 +51,6 @@ public final class TuneWindow implements ImageListener {
 	private final HistogramView histogram;
 	private final FrameStrip strip;
 	private final TuneValues values;
-	private final AtomicBoolean stale = new AtomicBoolean();
 	private boolean gone;
 
 	private TuneWindow(final TuneModel model, final ImagePlus image, final int channel,
@@ -108,39 +101,19 @@ public final class TuneWindow implements ImageListener {
 			all.add(Box.createVerticalStrut(GAP));
 		}
 		window.setContentPane(all);
-		window.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
-		window.addWindowListener(new WindowAdapter() {
-
-			@Override
-			public void windowClosing(final WindowEvent e) {
-				end();
-			}
-		});
-		key("ESCAPE", this::end);
-		key("ctrl LEFT", () -> model.goTo(model.frame() - 1));
-		key("ctrl RIGHT", () -> model.goTo(model.frame() + 1));
+		WindowActions.onClosing(window, this::end);
+		final JRootPane root = window.getRootPane();
+		WindowActions.onKey(root, "ESCAPE", this::end);
+		WindowActions.onKey(root, "ctrl LEFT", () -> model.goTo(model.frame() - 1));
+		WindowActions.onKey(root, "ctrl RIGHT", () -> model.goTo(model.frame() + 1));
 		ImagePlus.addImageListener(this);
-		model.listen(this::refreshSoon);
+		model.listen(new Soon(this::refresh));
 		refresh();
 		window.pack();
 		GUI.scale(window);
 		window.pack();
 		Beside.place(window, image.getWindow());
 		window.setVisible(true);
-	}
-
-	private void key(final String key, final Runnable action) {
-		window.getRootPane().getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW)
-			.put(KeyStroke.getKeyStroke(key), key);
-		window.getRootPane().getActionMap().put(key, new AbstractAction() {
-
-			private static final long serialVersionUID = 1L;
-
-			@Override
-			public void actionPerformed(final ActionEvent e) {
-				action.run();
-			}
-		});
 	}
 
 	private JPanel parts() {
@@ -209,13 +182,7 @@ public final class TuneWindow implements ImageListener {
 		}
 	}
 
-	private void refreshSoon() {
-		if (!stale.getAndSet(true))
-			SwingUtilities.invokeLater(this::refresh);
-	}
-
 	private void refresh() {
-		stale.set(false);
 		if (gone)
 			return;
 		values.refresh();

@@ -238,7 +238,8 @@ final class ReviewMain {
 	}
 
 	private String text() {
-		return ((JTextArea) Windows.named(window.getContentPane(), "frame").orElseThrow()).getText();
+		return ((JTextArea) Windows.named(window.getContentPane(), "frame").orElseThrow())
+			.getText();
 	}
 
 	/** What is on the screen. */

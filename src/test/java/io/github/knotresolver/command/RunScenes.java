@@ -39,7 +39,8 @@ final class RunScenes {
 			() -> image.getOverlay() != null && Arrays.stream(image.getOverlay().toArray())
 				.anyMatch(r -> "look-sighted".equals(r.getName())));
 		DialogsMain.finished();
-		final Frame window = Windows.frame("Resolved watched", t -> t.startsWith("Resolved watched"));
+		final Frame window = Windows.frame("Resolved watched",
+			t -> t.startsWith("Resolved watched"));
 		Windows.await("outcome",
 			() -> Windows.text(window).contains("24 frames right, 0 doubtful"));
 		DialogsMain.require(image.getOverlay().size() == 24 * 16,
@@ -80,7 +81,8 @@ final class RunScenes {
 		final ImagePlus image = DialogsMain.sample("closing");
 		begin("1-3");
 		DialogsMain.finished();
-		final Frame window = Windows.frame("Resolved closing", t -> t.startsWith("Resolved closing"));
+		final Frame window = Windows.frame("Resolved closing",
+			t -> t.startsWith("Resolved closing"));
 		image.close();
 		Windows.await("end", () -> !window.isShowing());
 	}

@@ -38,8 +38,8 @@ final class TuneScenes {
 		Windows.await("frame 2", () -> Windows.text(window).contains("frame 2: "));
 		hand.click(Windows.find(window, "histogram"), 0.9, 0.5);
 		Windows.await("threshold",
-			() -> Math
-				.abs(((Number) ((JSpinner) Windows.find(window, "threshold")).getValue()).doubleValue()
+			() -> Math.abs(
+				((Number) ((JSpinner) Windows.find(window, "threshold")).getValue()).doubleValue()
 					- 0.9) < 0.02);
 		Windows.await("smaller mask", () -> area(image) > 0 && area(image) < automatic);
 		hand.click(Windows.find(window, "Use in Resolve"), 0.5, 0.5);

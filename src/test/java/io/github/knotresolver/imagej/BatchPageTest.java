@@ -134,7 +134,7 @@ class BatchPageTest {
 		for (int i = 0; i < 1200; i++)
 			frames.add(new ResultDigest.Frame(
 				i == 601 ? FrameStatus.UNRESOLVED : FrameStatus.RESOLVED, i == 11 ? 0.6 : 1));
-		final BufferedImage strip = ConfidenceStrip
+		final BufferedImage strip = ConfidenceRows
 			.of(new ResultDigest(List.of(new ResultDigest.Filament(1, "", frames))));
 		assertEquals(600, strip.getWidth());
 		assertEquals(Palette.ofConfidence(0.6).getRGB(), strip.getRGB(5, 0));

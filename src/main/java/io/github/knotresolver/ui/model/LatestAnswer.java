@@ -1,9 +1,6 @@
 package io.github.knotresolver.ui.model;
 
 import java.util.List;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.atomic.AtomicInteger;
 
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.Tracks;
@@ -28,12 +25,7 @@ final class LatestAnswer implements AutoCloseable {
 
 	private final Solver solver;
 	private final Asker asker;
-	private final AtomicInteger latest = new AtomicInteger();
-	private final ExecutorService thread = Executors.newSingleThreadExecutor(work -> {
-		final Thread t = new Thread(work, "KnotResolver review");
-		t.setDaemon(true);
-		return t;
-	});
+	private final LatestWork work = new LatestWork("KnotResolver review");
 
 	LatestAnswer(final Solver solver, final Asker asker) {
 		this.solver = solver;
@@ -42,20 +34,18 @@ final class LatestAnswer implements AutoCloseable {
 
 	/** Asks; returns at once. */
 	void ask(final List<Constraint> said) {
-		final Question question = new Question(latest.incrementAndGet(), said);
-		thread.execute(() -> answer(said, question));
+		work.start(stage -> asker.worked(said, stage), progress -> answer(said, progress));
 	}
 
-	private void answer(final List<Constraint> said, final Question question) {
+	private void answer(final List<Constraint> said, final Progress progress) {
 		try {
-			question.checkCancelled();
-			final Tracks tracks = solver.solve(said, question);
-			question.checkCancelled();
+			final Tracks tracks = solver.solve(said, progress);
+			progress.checkCancelled();
 			asker.answered(said, tracks);
 		} catch (final CancelledException e) {
-			// Another question is being answered, or nobody listens any more.
+			throw e;
 		} catch (final RuntimeException | Error e) {
-			if (!question.isCancelled())
+			if (!progress.isCancelled())
 				asker.failed(said, e);
 		}
 	}
@@ -63,30 +53,6 @@ final class LatestAnswer implements AutoCloseable {
 	/** Stops the work on the last question; its answer never comes. */
 	@Override
 	public void close() {
-		latest.incrementAndGet();
-		thread.shutdown();
-	}
-
-	/** One question among others. */
-	private final class Question implements Progress {
-
-		private final int number;
-		private final List<Constraint> said;
-
-		Question(final int number, final List<Constraint> said) {
-			this.number = number;
-			this.said = said;
-		}
-
-		@Override
-		public void report(final String stage, final double fraction) {
-			if (!isCancelled())
-				asker.worked(said, stage);
-		}
-
-		@Override
-		public boolean isCancelled() {
-			return latest.get() != number;
-		}
+		work.close();
 	}
 }

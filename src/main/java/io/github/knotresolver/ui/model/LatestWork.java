@@ -27,18 +27,27 @@ final class LatestWork implements AutoCloseable {
 		});
 	}
 
+	/** Begins work of which no stage is told; as {@link #start(Consumer, Consumer)}. */
+	void start(final Consumer<Progress> work) {
+		// Too short to be watched.
+		start(stage -> {
+		}, work);
+	}
+
 	/**
 	 * Begins; returns at once. After {@link #close()} nothing is begun.
 	 *
+	 * @param stages hears of the work's stages as long as it counts
 	 * @param work asks its progress whether it still counts before it tells anybody its result
 	 */
-	void start(final Consumer<Progress> work) {
+	void start(final Consumer<String> stages, final Consumer<Progress> work) {
 		final int number = latest.incrementAndGet();
 		final Progress progress = new Progress() {
 
 			@Override
 			public void report(final String stage, final double fraction) {
-				// Too short to be watched.
+				if (!isCancelled())
+					stages.accept(stage);
 			}
 
 			@Override

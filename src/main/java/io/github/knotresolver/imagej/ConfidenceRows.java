@@ -12,7 +12,7 @@ import io.github.knotresolver.model.FrameStatus;
  * How sure a result is, as a picture: a column a frame, a row a filament, in the colours that the
  * review window has. Of long movies several frames share a column, which shows the least sure of them.
  */
-final class ConfidenceStrip {
+final class ConfidenceRows {
 
 	/** Most columns and rows. */
 	static final int MOST_COLUMNS = 600, MOST_ROWS = 64;
@@ -26,7 +26,7 @@ final class ConfidenceStrip {
 			case IGNORED, ABSENT -> 3;
 		}).thenComparingDouble(ResultDigest.Frame::confidence);
 
-	private ConfidenceStrip() {
+	private ConfidenceRows() {
 	}
 
 	/**
@@ -50,7 +50,7 @@ final class ConfidenceStrip {
 		final int from = (int) ((long) x * count / columns),
 			to = (int) ((long) (x + 1) * count / columns);
 		return frames.subList(Math.min(from, frames.size()), Math.min(to, frames.size())).stream()
-			.min(WORST_FIRST).map(ConfidenceStrip::colour).orElse(Palette.of(FrameStatus.ABSENT));
+			.min(WORST_FIRST).map(ConfidenceRows::colour).orElse(Palette.of(FrameStatus.ABSENT));
 	}
 
 	private static Color colour(final ResultDigest.Frame frame) {
