@@ -3,7 +3,9 @@ package io.github.knotresolver.track;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
@@ -100,23 +102,26 @@ final class SceneSeeds {
 	 */
 	Optional<SceneSeed> next(final List<SceneSeed> first, final List<SceneSeed> used,
 		final ScenePool pool, final Workers workers, final Progress progress) {
-		final Optional<SceneSeed> fewer = first.stream()
-			.filter(s -> used.size() == 1 && used.get(0).worth() >= SOUND
-				&& s.chains().size() < used.get(0).chains().size())
-			.filter(s -> s.worth() >= FEWER * first.get(0).worth()).findFirst();
-		if (fewer.isPresent())
-			return fewer;
-		final double enough = pool.isEmpty()
-			? WORTH * first.get(0).worth()
-			: Math.max(SOUND, WORTH * first.get(0).worth());
+		final double best = first.get(0).worth();
+		if (used.size() == 1 && used.get(0).worth() >= SOUND) {
+			final int pieces = used.get(0).chains().size();
+			final Optional<SceneSeed> fewer = first.stream()
+				.filter(s -> s.chains().size() < pieces && s.worth() >= FEWER * best).findFirst();
+			if (fewer.isPresent())
+				return fewer;
+		}
+		final double enough = pool.isEmpty() ? WORTH * best : Math.max(SOUND, WORTH * best);
 		final Optional<SceneSeed> another = first.stream().filter(s -> s.worth() >= enough)
 			.filter(s -> isAnother(s, used)).findFirst();
 		if (pool.isEmpty() || another.isPresent())
 			return another;
-		final List<Integer> frames = first.stream().map(SceneSeed::frame)
-			.filter(t -> used.stream().noneMatch(u -> u.frame() == t))
-			.filter(t -> pool.coverage(t) < ALL)
-			.sorted(Comparator.comparingDouble(pool::coverage).reversed()).limit(AGAIN).toList();
+		final Map<Integer, Double> covered = new LinkedHashMap<>();
+		for (final SceneSeed seed : first)
+			if (used.stream().noneMatch(u -> u.frame() == seed.frame()))
+				covered.put(seed.frame(), pool.coverage(seed.frame()));
+		final List<Integer> frames = covered.entrySet().stream().filter(e -> e.getValue() < ALL)
+			.sorted(Map.Entry.<Integer, Double>comparingByValue().reversed()).limit(AGAIN)
+			.map(Map.Entry::getKey).toList();
 		return at(frames, pool, workers, progress).stream().findFirst();
 	}
 
