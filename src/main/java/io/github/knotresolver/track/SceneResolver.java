@@ -57,10 +57,11 @@ public final class SceneResolver {
 	 *
 	 * @param frames the frames to resolve, in order of time, at least one
 	 * @param anchor whether filaments are held at one end
-	 * @return all filaments; empty if there is none
+	 * @return all filaments; empty if there is none, or clearly only one that is clamped, for which
+	 *         there are better means
 	 */
 	public Optional<SceneTracks> resolve(final List<FrameView> frames, final AnchorChoice anchor) {
-		return solve(frames).map(s -> {
+		return solve(frames, anchor != AnchorChoice.FREE).map(s -> {
 			final boolean[][] clear = ScenePass.of(s.filaments).clear(s.line, workers);
 			return SceneTracks.of(s.line, measured(s, clear), clear, anchor);
 		});
@@ -74,7 +75,7 @@ public final class SceneResolver {
 	 * @return the frames, the light in strands; as they are if no filament ends there
 	 */
 	public List<FrameView> alone(final List<FrameView> frames, final Point end) {
-		return solve(frames).map(s -> {
+		return solve(frames, false).map(s -> {
 			final ScenePass pass = ScenePass.of(s.filaments);
 			final int k = pass.endingAt(end);
 			return k < 0 ? frames : new ClampedAgain(s.line, workers, progress).alone(pass, k);
@@ -84,20 +85,36 @@ public final class SceneResolver {
 	private record Solved(SceneLine line, SceneWeights weights, List<Settled> filaments) {
 	}
 
-	private Optional<Solved> solve(final List<FrameView> frames) {
+	/**
+	 * @param onlyScenes whether one clamped filament, as soon as it is known to be that, is left
+	 *          alone: following it, and what is made for it, takes longer than all else
+	 */
+	private Optional<Solved> solve(final List<FrameView> frames, final boolean onlyScenes) {
 		if (frames.stream().allMatch(f -> f.graph().segments().isEmpty()))
 			return Optional.empty();
 		progress.report("Learning what a filament looks like", 0);
 		final SceneLine line = SceneLine.learn(frames, kinds, workers, progress);
 		final SceneWeights weights = SceneWeights.DEFAULT;
 		final SceneSeeds looks = new SceneSeeds(line, weights);
-		final List<Priced> passes = passes(line, weights, looks, looks.all(workers, progress));
+		final List<SceneSeed> seeds = looks.all(workers, progress);
+		if (onlyScenes
+			&& LoneSeeds.areOfOneClamped(seeds, SceneTracks.SPECK * line.tables().model().sigma()))
+			return Optional.empty();
+		final List<Priced> passes = passes(line, weights, looks, seeds);
 		if (passes.isEmpty())
 			return Optional.empty();
 		final List<Settled> followed = new TailExchanges(line, weights, progress)
 			.checked(settled(line, weights, passes));
+		if (onlyScenes && isOneClamped(line, followed))
+			return Optional.empty();
 		return Optional.of(new Solved(line, weights,
 			new SceneRefinement(line, weights, workers, progress).refine(followed)));
+	}
+
+	/** Whether refinement can but make the only filament better, or a speck longer. */
+	private boolean isOneClamped(final SceneLine line, final List<Settled> followed) {
+		return SceneTracks.of(line, followed, ScenePass.of(followed).clear(line, workers),
+			AnchorChoice.AUTO).isOneClamped();
 	}
 
 	/** A pass with its price, and what of it is unexplained light. */

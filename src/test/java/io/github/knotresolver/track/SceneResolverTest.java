@@ -120,13 +120,16 @@ class SceneResolverTest {
 	}
 
 	@Test
-	void aMovieWithOneFilamentGivesOne() {
-		final List<List<Chain>> movie = new ArrayList<>();
+	void oneFilamentIsOneAndLeftToWhatIsMadeForItWhereItMayBeClamped() {
+		final Random random = new Random(5);
+		final List<FrameView> frames = new ArrayList<>();
 		for (int t = 0; t < FRAMES; t++)
-			movie.add(List.of(beating(0.5 * t)));
-		final SceneTracks tracks = resolve(movie);
-		assertEquals(1, tracks.filaments().size());
-		assertTrue(tracks.filaments().get(0).clamped());
-		assertEquals(59, tracks.filaments().get(0).length(), 1);
+			frames.add(frame(t, List.of(beating(0.5 * t)), random));
+		final SceneResolver resolver = new SceneResolver(Set.of(Kind.ADDITIVE), Workers.HERE,
+			Progress.NONE);
+		assertTrue(resolver.resolve(frames, AnchorChoice.AUTO).isEmpty());
+		final SceneTracks free = resolver.resolve(frames, AnchorChoice.FREE).orElseThrow();
+		assertEquals(1, free.filaments().size());
+		assertEquals(59, free.filaments().get(0).length(), 1);
 	}
 }
