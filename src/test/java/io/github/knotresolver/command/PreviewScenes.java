@@ -1,6 +1,5 @@
 package io.github.knotresolver.command;
 
-import java.awt.Component;
 import java.awt.Dialog;
 import java.awt.event.KeyEvent;
 import java.util.Arrays;
@@ -66,7 +65,7 @@ final class PreviewScenes {
 		final ImagePlus image = DialogsMain.sample("escape");
 		final Dialog dialog = open();
 		seen(dialog, image, 1);
-		focus(dialog, Windows.find(dialog, "frames"));
+		hand.focus(dialog, Windows.find(dialog, "frames"));
 		hand.key(KeyEvent.VK_ESCAPE);
 		Windows.await("end", () -> !dialog.isShowing() && image.getOverlay() == null);
 		DialogsMain.require(DialogsMain.log().isEmpty(), DialogsMain.log());
@@ -99,7 +98,7 @@ final class PreviewScenes {
 	private void keys() throws Exception {
 		final ImagePlus image = DialogsMain.sample("keys");
 		final Dialog dialog = open();
-		focus(dialog, Windows.find(dialog, "frames"));
+		hand.focus(dialog, Windows.find(dialog, "frames"));
 		hand.key(KeyEvent.VK_1);
 		hand.key(KeyEvent.VK_MINUS);
 		hand.key(KeyEvent.VK_3);
@@ -135,14 +134,6 @@ final class PreviewScenes {
 	private static double area(final ImagePlus image) {
 		return names(image).filter(r -> r.getName().equals("look-mask"))
 			.mapToDouble(r -> r.getStatistics().pixelCount).sum();
-	}
-
-	private void focus(final Dialog dialog, final Component inside) throws Exception {
-		Windows.onEvents(() -> {
-			dialog.toFront();
-			inside.requestFocus();
-		});
-		Windows.await("focus", inside::isFocusOwner);
 	}
 
 	private void toggle(final Dialog dialog, final String name) throws Exception {

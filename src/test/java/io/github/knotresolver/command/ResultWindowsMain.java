@@ -2,7 +2,6 @@ package io.github.knotresolver.command;
 
 import java.awt.Component;
 import java.awt.Frame;
-import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
@@ -76,11 +75,11 @@ final class ResultWindowsMain {
 		table.toFront();
 		hand.waitForIdle();
 		final Component canvas = table.getTextPanel().getComponent(0);
-		final Point corner = canvas.getLocationOnScreen();
 		// The heading is one row high, and so are the rows.
-		hand.click(corner.x + 60, corner.y + 90);
+		hand.until("selected row",
+			() -> hand.click(canvas, 60.0 / canvas.getWidth(), 90.0 / canvas.getHeight()),
+			() -> table.getTextPanel().getSelectionStart() > 0);
 		final int row = table.getTextPanel().getSelectionStart();
-		require(row > 0, "No row is selected.");
 		Windows.await("frame of the row", () -> image.getCurrentSlice() == row + 1);
 		require(image.getRoi() != null && image.getRoi().getType() == Roi.POLYLINE,
 			"The contour is not selected.");
@@ -102,14 +101,16 @@ final class ResultWindowsMain {
 		picture("measure-contours.png");
 		select(window, tabs, "Kymographs");
 		picture("measure-kymographs.png");
-		clickAt(Windows.find(window, "figure tangent_angle_kymograph"), 0.4, 0.3);
-		Windows.await("frame of the kymograph", () -> image.getCurrentSlice() > 1);
+		hand.until("frame of the kymograph",
+			() -> clickAt(Windows.find(window, "figure tangent_angle_kymograph"), 0.4, 0.3),
+			() -> image.getCurrentSlice() > 1);
 		reached("kymograph");
 		image.setSlice(1);
 		select(window, tabs, "Length, ends");
 		picture("measure-length.png");
-		clickAt(Windows.find(window, "figure length"), 0.8, 0.3);
-		Windows.await("frame of the point", () -> image.getCurrentSlice() > 4);
+		hand.until("frame of the point",
+			() -> clickAt(Windows.find(window, "figure length"), 0.8, 0.3),
+			() -> image.getCurrentSlice() > 4);
 		reached("point over time");
 		select(window, tabs, "Tip angle");
 		window.setSize(window.getWidth() * 3 / 4, window.getHeight() * 3 / 4);
@@ -181,28 +182,32 @@ final class ResultWindowsMain {
 		picture("batch.png");
 		reached("batch table");
 		final Rectangle cell = table.getCellRect(0, 0, true);
-		final Point corner = table.getLocationOnScreen();
-		hand.click(corner.x + cell.x + 20, corner.y + cell.y + 8);
-		hand.click();
-		close(review(out, table.getModel().getValueAt(0, 0).toString()));
+		final String first = reviewed(out, table.getModel().getValueAt(0, 0).toString());
+		hand.until(first, () -> {
+			hand.click(table, (cell.x + 20.0) / table.getWidth(),
+				(cell.y + 8.0) / table.getHeight());
+			hand.click();
+		}, () -> Windows.shown(first::equals).isPresent());
+		close(Windows.frame(first));
 		reached("batch review");
-		SwingUtilities.invokeAndWait(window::toFront);
-		clickAt(Windows.find(window, "Review in turn"), 0.5, 0.5);
-		close(review(out, table.getModel().getValueAt(1, 0).toString()));
+		final String second = reviewed(out, table.getModel().getValueAt(1, 0).toString());
+		hand.clickUntil(second, Windows.find(window, "Review in turn"),
+			() -> Windows.shown(second::equals).isPresent());
+		close(Windows.frame(second));
 		Windows.await("the end", () -> ((JLabel) Windows.find(window, "status")).getText()
 			.startsWith("All have been reviewed."));
 		reached("batch in turn");
 	}
 
-	/** The review of a result whose folder is named after the movie. */
-	private Frame review(final Path out, final String movie) throws Exception {
+	/** Title of the review of a result, whose folder is named after the movie. */
+	private static String reviewed(final Path out, final String movie) throws Exception {
 		final String stem = movie.substring(0, movie.lastIndexOf('.'));
 		final Path folder;
 		try (var all = Files.list(out)) {
 			folder = all.filter(p -> p.getFileName().toString().startsWith(stem)).findFirst()
 				.orElseThrow();
 		}
-		return Windows.frame("Review " + folder.getFileName());
+		return "Review " + folder.getFileName();
 	}
 
 	private static void close(final Frame window) throws Exception {
@@ -214,10 +219,10 @@ final class ResultWindowsMain {
 		return ((JTextArea) Windows.find(window, "frame")).getText();
 	}
 
-	private void clickAt(final Component component, final double across, final double down) {
-		final Point at = component.getLocationOnScreen();
-		hand.click(at.x + (int) (across * component.getWidth()),
-			at.y + (int) (down * Math.min(component.getHeight(), 300)));
+	private void clickAt(final Component component, final double across, final double down)
+		throws Exception {
+		final int height = component.getHeight();
+		hand.click(component, across, down * Math.min(height, 300) / height);
 	}
 
 	/** What is on the screen. */

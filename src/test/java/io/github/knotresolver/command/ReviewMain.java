@@ -17,7 +17,6 @@ import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
-import javax.swing.SwingUtilities;
 
 import ij.IJ;
 import ij.ImageJ;
@@ -71,8 +70,8 @@ final class ReviewMain {
 		final int listeners = image.getCanvas().getMouseListeners().length;
 		reached("opened");
 		picture("review-small.png");
-		hand.click(find("confidence"), 0.52, 0.5);
-		Windows.await("frame", () -> text().startsWith("frame 13 "));
+		hand.until("frame", () -> hand.click(find("confidence"), 0.52, 0.5),
+			() -> text().startsWith("frame 13 "));
 		require(image.getCurrentSlice() == 13, "slice " + image.getCurrentSlice());
 		IJ.run(image, "Next Slice [>]", "");
 		Windows.await("frame of the slider", () -> text().startsWith("frame 14 "));
@@ -97,11 +96,7 @@ final class ReviewMain {
 		final Dialog dialog = Windows.dialog(REVIEW, "Result");
 		Windows.type(dialog, "Result", result.toString());
 		Windows.press(dialog, "OK");
-		final String title = "Review " + result.getFileName();
-		Windows.await("window", () -> Arrays.stream(Frame.getFrames())
-			.anyMatch(f -> f.isShowing() && f.getTitle().equals(title)));
-		window = (JFrame) Arrays.stream(Frame.getFrames())
-			.filter(f -> f.isShowing() && f.getTitle().equals(title)).findFirst().orElseThrow();
+		window = (JFrame) Windows.frame("Review " + result.getFileName());
 		try {
 			Windows.await("result",
 				() -> label("headline").contains("resolved") && label("status").isBlank());
@@ -194,34 +189,30 @@ final class ReviewMain {
 		hand.waitForIdle();
 	}
 
-	private void key(final int code) {
+	private void key(final int code) throws Exception {
 		key(window, window, code);
 	}
 
-	private void key(final Frame frame, final Component inside, final int code) {
-		SwingUtilities.invokeLater(() -> {
-			frame.toFront();
-			inside.requestFocus();
-		});
-		hand.waitForIdle();
+	private void key(final Frame frame, final Component inside, final int code) throws Exception {
+		hand.focus(frame, inside);
 		hand.key(code);
 	}
 
-	private void press(final String words) {
+	private void press(final String words) throws Exception {
 		final Component button = Windows.all(window.getContentPane(), JButton.class).stream()
 			.filter(b -> words.equals(b.getName())).findFirst().orElseThrow();
 		hand.click(button, 0.5, 0.5);
 	}
 
-	private void drag(final io.github.knotresolver.geometry.Point from, final int pixels) {
+	private void drag(final io.github.knotresolver.geometry.Point from, final int pixels)
+		throws Exception {
 		final ImageCanvas canvas = image.getCanvas();
-		SwingUtilities.invokeLater(() -> image.getWindow().toFront());
-		hand.waitForIdle();
+		hand.over(canvas, (canvas.screenXD(from.x() + 0.5) + 0.5) / canvas.getWidth(),
+			(canvas.screenYD(from.y() + 0.5) + 0.5) / canvas.getHeight());
 		final Point corner = canvas.getLocationOnScreen();
 		final int x = corner.x + canvas.screenXD(from.x() + 0.5),
 			y = corner.y + canvas.screenYD(from.y() + 0.5);
 		final int far = (int) Math.max(5, pixels * canvas.getMagnification());
-		hand.mouseMove(x, y);
 		hand.mousePress(InputEvent.BUTTON1_DOWN_MASK);
 		hand.mouseMove(x + far / 2, y);
 		hand.mouseMove(x + far, y);

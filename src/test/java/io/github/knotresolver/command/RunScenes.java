@@ -45,9 +45,8 @@ final class RunScenes {
 			() -> Windows.text(window).contains("24 frames right, 0 doubtful"));
 		DialogsMain.require(image.getOverlay().size() == 24 * 16,
 			image.getOverlay().size() + " shapes: sightings stay.");
-		Windows.onEvents(window::toFront);
-		hand.waitForIdle();
-		hand.click(button(window, "Review"), 0.5, 0.5);
+		hand.clickUntil("Review", button(window, "Review"),
+			() -> Windows.shown(t -> t.startsWith("Review ")).isPresent());
 		final Frame review = Windows.frame("Review ", t -> t.startsWith("Review "));
 		Windows.await("end", () -> !window.isShowing());
 		review.dispatchEvent(new WindowEvent(review, WindowEvent.WINDOW_CLOSING));
@@ -68,7 +67,6 @@ final class RunScenes {
 		begin("");
 		final Frame window = Windows.frame("Resolving long", t -> t.startsWith("Resolving long"));
 		Windows.await("stage", () -> !Windows.text(window).contains("Beginning"));
-		Windows.onEvents(window::toFront);
 		hand.clickUntil("cancelled", button(window, "Cancel"),
 			() -> !window.isShowing() || Windows.dialogs().findAny().isPresent());
 		Windows.message("Cancelled; nothing was written.");

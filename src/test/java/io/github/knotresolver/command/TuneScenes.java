@@ -31,18 +31,18 @@ final class TuneScenes {
 		final ImagePlus image = DialogsMain.sample("tuned");
 		final Frame window = open(image);
 		final double automatic = area(image);
-		hand.click(Windows.find(window, "strip"), 0.5, 0.5);
-		Windows.await("frame 13", () -> image.getCurrentSlice() == 13 && area(image) > 0
-			&& Windows.text(window).contains("frame 13: "));
+		hand.clickUntil("frame 13", Windows.find(window, "strip"),
+			() -> image.getCurrentSlice() == 13 && area(image) > 0
+				&& Windows.text(window).contains("frame 13: "));
 		image.setSlice(2);
 		Windows.await("frame 2", () -> Windows.text(window).contains("frame 2: "));
-		hand.click(Windows.find(window, "histogram"), 0.9, 0.5);
-		Windows.await("threshold",
+		hand.until("threshold", () -> hand.click(Windows.find(window, "histogram"), 0.9, 0.5),
 			() -> Math.abs(
 				((Number) ((JSpinner) Windows.find(window, "threshold")).getValue()).doubleValue()
 					- 0.9) < 0.02);
 		Windows.await("smaller mask", () -> area(image) > 0 && area(image) < automatic);
-		hand.click(Windows.find(window, "Use in Resolve"), 0.5, 0.5);
+		hand.clickUntil("Use in Resolve", Windows.find(window, "Use in Resolve"),
+			() -> !window.isShowing());
 		final Dialog dialog = Windows.dialog("Resolve Filament...");
 		DialogsMain.require(!window.isShowing(), "The window stays.");
 		DialogsMain.require(Windows.field(dialog, "Threshold").getText().startsWith("0."),
@@ -63,11 +63,7 @@ final class TuneScenes {
 		Windows.await("end", () -> !window.isShowing());
 		final ImagePlus other = DialogsMain.sample("escaped");
 		final Frame again = open(other);
-		Windows.onEvents(() -> {
-			again.toFront();
-			Windows.find(again, "Close").requestFocus();
-		});
-		Windows.await("focus", () -> Windows.find(again, "Close").isFocusOwner());
+		hand.focus(again, Windows.find(again, "Close"));
 		hand.key(KeyEvent.VK_ESCAPE);
 		Windows.await("end", () -> !again.isShowing() && other.getOverlay() == null);
 	}

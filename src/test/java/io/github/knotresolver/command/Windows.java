@@ -128,7 +128,8 @@ final class Windows {
 		return shown(title).orElseThrow();
 	}
 
-	private static Optional<Frame> shown(final Predicate<String> title) {
+	/** The window whose title is such a one, if there is one. */
+	static Optional<Frame> shown(final Predicate<String> title) {
 		return Arrays.stream(Frame.getFrames())
 			.filter(f -> f.isShowing() && title.test(f.getTitle())).findFirst();
 	}
