@@ -13,8 +13,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-import javax.imageio.ImageIO;
-
 import io.github.knotresolver.io.BatchList;
 import io.github.knotresolver.io.BatchOutcome;
 import io.github.knotresolver.io.ContoursCsv;
@@ -113,11 +111,11 @@ final class BatchPage {
 
 	private void result(final String name) throws IOException {
 		final Path folder = out.resolve(name);
-		final Optional<String> montage = montage(folder.resolve(MONTAGE));
+		final Optional<BufferedImage> montage = SmallPicture.read(folder.resolve(MONTAGE), THUMBNAIL);
 		if (montage.isPresent())
 			html.write(
 				"<a href=\"" + link(name, MONTAGE) + "\"><img class=\"montage\" alt=\"Montage of "
-					+ text(name) + "\" src=\"" + montage.get() + "\" /></a>\n");
+					+ text(name) + "\" src=\"" + EmbeddedPicture.nearly(montage.get()) + "\" /></a>\n");
 		final Optional<ResultDigest> digest = ResultDigest.read(folder).filter(d -> d.frames() > 0);
 		if (digest.isPresent())
 			tables(digest.get());
@@ -137,20 +135,6 @@ final class BatchPage {
 				.map(f -> f.length().isEmpty() ? "not known" : f.length())
 				.collect(Collectors.joining(", ")))
 			+ "</p>\n");
-	}
-
-	/** A picture that is not there, damaged since, or too large to be read, costs nothing else. */
-	private static Optional<String> montage(final Path file) {
-		if (!Files.isRegularFile(file))
-			return Optional.empty();
-		try {
-			final BufferedImage picture = ImageIO.read(file.toFile());
-			return picture == null
-				? Optional.empty()
-				: Optional.of(EmbeddedPicture.small(picture, THUMBNAIL));
-		} catch (final IOException | OutOfMemoryError e) {
-			return Optional.empty();
-		}
 	}
 
 	private static String link(final String folder, final String file) {

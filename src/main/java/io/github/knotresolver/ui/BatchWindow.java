@@ -1,7 +1,6 @@
 package io.github.knotresolver.ui;
 
 import java.awt.BorderLayout;
-import java.awt.Dimension;
 import java.awt.FlowLayout;
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
@@ -13,6 +12,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.Consumer;
 
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
@@ -22,17 +22,17 @@ import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import javax.swing.JTable;
 import javax.swing.KeyStroke;
-import javax.swing.ListSelectionModel;
 import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
-import javax.swing.table.AbstractTableModel;
 
 import ij.ImagePlus;
 import ij.WindowManager;
+import ij.plugin.BrowserLauncher;
+import io.github.knotresolver.io.BatchList;
 import io.github.knotresolver.io.Failure;
 import io.github.knotresolver.io.RunIdentity;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.ui.model.BatchTable;
 
@@ -42,19 +42,17 @@ import io.github.knotresolver.ui.model.BatchTable;
  */
 public final class BatchWindow {
 
-	private static final int[] WIDTHS = {170, 75, 80, 75, 75, 55, 80, 90, 320};
-
 	private final BatchTable model;
-	private final JFrame window;
-	private final JTable table;
-	private final Cells cells = new Cells();
+	private final Optional<JFrame> window;
+	private final OutcomesTable table;
 	private final JLabel status = new JLabel();
 	private boolean inTurn;
 
-	private BatchWindow(final String title, final BatchTable model) {
+	/** @param window shows it; empty if none does */
+	BatchWindow(final BatchTable model, final Optional<JFrame> window) {
 		this.model = model;
-		window = new JFrame(title);
-		table = new JTable(cells);
+		this.window = window;
+		table = new OutcomesTable(model);
 	}
 
 	/**
@@ -64,22 +62,34 @@ public final class BatchWindow {
 	 * @param model what came of it
 	 */
 	public static void open(final Path out, final BatchTable model) {
-		new BatchWindow("Batch " + out.getFileName(), model).build();
+		final JFrame frame = new JFrame("Batch " + out.getFileName());
+		new BatchWindow(model, Optional.of(frame)).show(frame);
 	}
 
-	private void build() {
-		table.setName("outcomes");
-		table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
-		table.setAutoCreateRowSorter(true);
-		table.setAutoResizeMode(JTable.AUTO_RESIZE_LAST_COLUMN);
-		final int em = table.getFontMetrics(table.getFont()).getHeight();
-		table.setRowHeight(em + 4);
-		int width = 0;
-		for (int c = 0; c < WIDTHS.length; c++) {
-			final int wanted = WIDTHS[c] * em / 16;
-			table.getColumnModel().getColumn(c).setPreferredWidth(wanted);
-			width += wanted;
-		}
+	private void show(final JFrame frame) {
+		frame.setContentPane(panel(BatchWindow::browse));
+		frame.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
+		frame.addWindowListener(new WindowAdapter() {
+
+			@Override
+			public void windowClosed(final WindowEvent e) {
+				inTurn = false;
+				WindowManager.removeWindow(frame);
+			}
+		});
+		frame.pack();
+		Beside.keepOnScreen(frame);
+		WindowManager.addWindow(frame);
+		frame.setLocationByPlatform(true);
+		frame.setVisible(true);
+		new Thread(table::readPictures, "KnotResolver pictures").start();
+	}
+
+	/**
+	 * @param browser shows a page, and fails in one sentence if it cannot
+	 * @return all that the window shows
+	 */
+	JPanel panel(final Consumer<Path> browser) {
 		table.addMouseListener(new MouseAdapter() {
 
 			@Override
@@ -100,48 +110,69 @@ public final class BatchWindow {
 			}
 		});
 		final JScrollPane scroll = new JScrollPane(table);
-		scroll.setPreferredSize(
-			new Dimension(width, Math.min(24, Math.max(6, model.size() + 2)) * (em + 4)));
+		scroll.setPreferredSize(table.fitting());
 		status.setText(model.summary());
 		status.setName("status");
 		final JPanel all = new JPanel(new BorderLayout(6, 6));
 		all.setBorder(BorderFactory.createEmptyBorder(8, 8, 8, 8));
 		all.add(status, BorderLayout.NORTH);
 		all.add(scroll, BorderLayout.CENTER);
-		all.add(buttons(), BorderLayout.SOUTH);
-		window.setContentPane(all);
-		window.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
-		window.addWindowListener(new WindowAdapter() {
-
-			@Override
-			public void windowClosed(final WindowEvent e) {
-				inTurn = false;
-				WindowManager.removeWindow(window);
-			}
-		});
-		window.pack();
-		WindowManager.addWindow(window);
-		window.setLocationByPlatform(true);
-		window.setVisible(true);
+		all.add(buttons(browser), BorderLayout.SOUTH);
+		return all;
 	}
 
-	private JPanel buttons() {
+	private JPanel buttons(final Consumer<Path> browser) {
 		final JPanel buttons = new JPanel(new FlowLayout(FlowLayout.RIGHT, 4, 0));
-		final JButton one = new JButton("Review"), all = new JButton(
-			model.isAnyByHand() ? "Review those asked for by hand" : "Review all doubtful");
-		one.setName("Review");
-		one.setToolTipText("Open the chosen result (double click, or Enter)");
+		final JButton page = button("HTML report",
+			"All results on one page, " + BatchList.PAGE + ", in the browser");
+		page.setEnabled(model.page().isPresent());
+		page.addActionListener(e -> report(browser));
+		final JButton one = button("Review", "Open the chosen result (double click, or Enter)");
 		one.addActionListener(e -> reviewSelected());
-		all.setName("Review in turn");
-		all.setToolTipText("One after the other: when a review is closed, the next one opens");
+		final JButton all = button("Review in turn",
+			"One after the other: when a review is closed, the next one opens");
+		all.setText(
+			model.isAnyByHand() ? "Review those asked for by hand" : "Review all doubtful");
 		all.setEnabled(model.next(-1).isPresent());
 		all.addActionListener(e -> {
 			inTurn = true;
 			goOn(-1);
 		});
+		buttons.add(page);
 		buttons.add(one);
 		buttons.add(all);
 		return buttons;
+	}
+
+	private static JButton button(final String name, final String help) {
+		final JButton button = new JButton(name);
+		button.setName(name);
+		button.setToolTipText(help);
+		return button;
+	}
+
+	private void report(final Consumer<Path> browser) {
+		if (model.page().isEmpty()) {
+			status.setText("The page " + BatchList.PAGE
+				+ " is not in the folder any more; run the batch again, which skips what is finished.");
+			return;
+		}
+		final Path file = model.page().get();
+		try {
+			browser.accept(file);
+			status.setText("In the browser: " + file);
+		} catch (final UserException e) {
+			status.setText(e.getMessage());
+		}
+	}
+
+	private static void browse(final Path page) {
+		try {
+			BrowserLauncher.openURL(page.toUri().toString());
+		} catch (final IOException e) {
+			throw new UserException(
+				"No browser could be started; open " + page + " in one yourself.", e);
+		}
 	}
 
 	private void reviewSelected() {
@@ -158,7 +189,7 @@ public final class BatchWindow {
 		if (next.isEmpty()) {
 			inTurn = false;
 			status.setText("All have been reviewed. " + model.summary());
-			window.toFront();
+			window.ifPresent(JFrame::toFront);
 			return;
 		}
 		final int row = table.convertRowIndexToView(next.getAsInt());
@@ -169,7 +200,7 @@ public final class BatchWindow {
 	/** Opening reads the movie, which takes its time. */
 	private void review(final int row) {
 		if (model.folder(row).isEmpty()) {
-			status.setText("There is no result: " + model.cell(row, WIDTHS.length - 1));
+			status.setText("There is no result: " + model.cell(row, BatchTable.COLUMNS.size() - 1));
 			return;
 		}
 		status.setText("Opening " + model.cell(row, 0) + " ...");
@@ -194,45 +225,12 @@ public final class BatchWindow {
 	}
 
 	private void closed(final int row) {
-		model.refresh(row);
-		cells.fireTableRowsUpdated(row, row);
-		if (inTurn && window.isShowing())
+		table.refresh(row);
+		if (inTurn && table.isShowing())
 			goOn(row);
 		else {
 			status.setText(model.summary());
-			window.toFront();
-		}
-	}
-
-	/** The model as Swing asks for it. */
-	private final class Cells extends AbstractTableModel {
-
-		private static final long serialVersionUID = 1L;
-
-		@Override
-		public int getRowCount() {
-			return model.size();
-		}
-
-		@Override
-		public int getColumnCount() {
-			return BatchTable.COLUMNS.size();
-		}
-
-		@Override
-		public String getColumnName(final int column) {
-			return BatchTable.COLUMNS.get(column);
-		}
-
-		@Override
-		public Class<?> getColumnClass(final int column) {
-			return BatchTable.isNumber(column) ? Integer.class : String.class;
-		}
-
-		@Override
-		public Object getValueAt(final int row, final int column) {
-			final Object cell = model.cell(row, column);
-			return BatchTable.isNumber(column) && cell.equals("") ? null : cell;
+			window.ifPresent(JFrame::toFront);
 		}
 	}
 }

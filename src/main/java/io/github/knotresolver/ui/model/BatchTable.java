@@ -1,5 +1,6 @@
 package io.github.knotresolver.ui.model;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -7,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Function;
 
+import io.github.knotresolver.io.BatchList;
 import io.github.knotresolver.io.BatchOutcome;
 import io.github.knotresolver.io.BatchOutcome.Status;
 import io.github.knotresolver.io.ResultCounts;
@@ -19,7 +21,12 @@ public final class BatchTable {
 
 	/** What the columns of the table are called. */
 	public static final List<String> COLUMNS = List.of("Movie", "State", "By hand", "Resolved",
-		"Doubtful", "Lost", "Filaments", "Length", "Message");
+		"Doubtful", "Lost", "Filaments", "Length", "Contours", "Message");
+
+	/** Which of the columns has a picture. */
+	public static final int PICTURE = COLUMNS.indexOf("Contours");
+
+	private static final String OVERLAY = "overlay.png";
 
 	private static final int BY_HAND = 2;
 
@@ -64,8 +71,22 @@ public final class BatchTable {
 
 	/**
 	 * @param row from 0
+	 * @return the picture of all its contours; empty if there is none, such as of a run without plots
+	 */
+	public Optional<Path> picture(final int row) {
+		return folder(row).map(f -> f.resolve(OVERLAY)).filter(Files::isRegularFile);
+	}
+
+	/** @return the page that shows all results; empty if there is none */
+	public Optional<Path> page() {
+		return Optional.of(out.resolve(BatchList.PAGE)).filter(Files::isRegularFile);
+	}
+
+	/**
+	 * @param row from 0
 	 * @param column from 0, of {@link #COLUMNS}
-	 * @return what stands there: a text, or a whole number; empty text if it is not known
+	 * @return what stands there: a text, or a whole number; empty text if it is not known, or a
+	 *         picture
 	 */
 	public Object cell(final int row, final int column) {
 		final BatchOutcome o = outcomes.get(row);
@@ -78,6 +99,7 @@ public final class BatchTable {
 			case "Lost" -> count(row, ResultCounts::lost);
 			case "Filaments" -> count(row, ResultCounts::filaments);
 			case "Length" -> count(row, ResultCounts::length);
+			case "Contours" -> "";
 			default -> o.message().startsWith(o.row().name() + ": ")
 				? o.message().substring(o.row().name().length() + 2)
 				: o.message();

@@ -52,12 +52,12 @@ class BatchTableTest {
 				finished("doubtful", false, "1,resolved,0.4,0", "2,resolved,0.4,1", "3,lost,,0"),
 				BatchOutcome.failed(row("none", false), "There is no such file."),
 				finished("lost", false, "1,unresolved,,0", "2,absent,,0")));
-		assertEquals(List.of("sure.tif", "finished", "", 2, 0, 0, 1, "18.31 µm", "fine."),
+		assertEquals(List.of("sure.tif", "finished", "", 2, 0, 0, 1, "18.31 µm", "", "fine."),
 			cells(table, 0));
-		assertEquals(List.of("doubtful.tif", "finished", "", 1, 1, 1, 1, "18.31 µm", "fine."),
+		assertEquals(List.of("doubtful.tif", "finished", "", 1, 1, 1, 1, "18.31 µm", "", "fine."),
 			cells(table, 1));
 		assertEquals(
-			List.of("none.tif", "failed", "", "", "", "", "", "", "There is no such file."),
+			List.of("none.tif", "failed", "", "", "", "", "", "", "", "There is no such file."),
 			cells(table, 2));
 		assertEquals(OptionalInt.of(1), table.next(-1));
 		assertEquals(OptionalInt.of(3), table.next(1));

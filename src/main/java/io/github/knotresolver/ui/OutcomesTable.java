@@ -1,0 +1,157 @@
+package io.github.knotresolver.ui;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+import javax.swing.JTable;
+import javax.swing.ListSelectionModel;
+import javax.swing.SwingUtilities;
+import javax.swing.table.AbstractTableModel;
+import javax.swing.table.DefaultTableCellRenderer;
+
+import io.github.knotresolver.imagej.SmallPicture;
+import io.github.knotresolver.ui.model.BatchTable;
+
+/**
+ * What came of a batch, a row a movie, each with a small picture of its contours. Pictures are read in
+ * the background; the rows are as high as they need from the beginning.
+ */
+final class OutcomesTable extends JTable {
+
+	private static final long serialVersionUID = 1L;
+
+	/** Of a font 16 px high. */
+	private static final int[] WIDTHS = {150, 70, 75, 75, 75, 50, 75, 80, 85, 300};
+	private static final int FONT = 16, GAP = 4, PICTURE_LINES = 3;
+	/** Sharp also where a pixel of the window is two of the screen. */
+	private static final int SHARP = 2;
+
+	private final transient BatchTable outcomes;
+	private final transient Map<Integer, BufferedImage> pictures = new HashMap<>();
+	private final Cells cells = new Cells();
+
+	OutcomesTable(final BatchTable outcomes) {
+		this.outcomes = outcomes;
+		setModel(cells);
+		setName("outcomes");
+		setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+		setAutoCreateRowSorter(true);
+		setAutoResizeMode(AUTO_RESIZE_LAST_COLUMN);
+		setDefaultRenderer(BufferedImage.class, new Picture());
+		final int line = line();
+		for (int c = 0; c < WIDTHS.length; c++)
+			getColumnModel().getColumn(c).setPreferredWidth(WIDTHS[c] * line / FONT);
+		final boolean drawn = IntStream.range(0, outcomes.size())
+			.anyMatch(row -> outcomes.picture(row).isPresent());
+		setRowHeight((drawn ? PICTURE_LINES * line : line) + GAP);
+	}
+
+	private int line() {
+		return getFontMetrics(getFont()).getHeight();
+	}
+
+	/** As wide as all columns, and as high as some rows. */
+	Dimension fitting() {
+		final int rows = Math.min(12 * (PICTURE_LINES * line() + GAP),
+			Math.max(6 * (line() + GAP), outcomes.size() * getRowHeight() + 2 * line()));
+		return new Dimension(
+			IntStream.of(WIDTHS).map(width -> width * line() / FONT).sum() + 2 * line(), rows);
+	}
+
+	/** Reads the pictures of all rows, one after the other, and shows each when it is there. */
+	void readPictures() {
+		for (int row = 0; row < outcomes.size(); row++)
+			readPicture(row);
+	}
+
+	private void readPicture(final int row) {
+		final Optional<BufferedImage> picture = outcomes.picture(row)
+			.flatMap(file -> SmallPicture.read(file, SHARP * WIDTHS[BatchTable.PICTURE] * 2));
+		SwingUtilities.invokeLater(() -> {
+			picture.ifPresentOrElse(p -> pictures.put(row, p), () -> pictures.remove(row));
+			cells.fireTableCellUpdated(row, BatchTable.PICTURE);
+		});
+	}
+
+	/** Shows what a row's result is now. Called by the thread of events. */
+	void refresh(final int row) {
+		outcomes.refresh(row);
+		cells.fireTableRowsUpdated(row, row);
+		new Thread(() -> readPicture(row), "KnotResolver picture").start();
+	}
+
+	/** The model as Swing asks for it. */
+	private final class Cells extends AbstractTableModel {
+
+		private static final long serialVersionUID = 1L;
+
+		@Override
+		public int getRowCount() {
+			return outcomes.size();
+		}
+
+		@Override
+		public int getColumnCount() {
+			return BatchTable.COLUMNS.size();
+		}
+
+		@Override
+		public String getColumnName(final int column) {
+			return BatchTable.COLUMNS.get(column);
+		}
+
+		@Override
+		public Class<?> getColumnClass(final int column) {
+			if (column == BatchTable.PICTURE)
+				return BufferedImage.class;
+			return BatchTable.isNumber(column) ? Integer.class : String.class;
+		}
+
+		@Override
+		public Object getValueAt(final int row, final int column) {
+			if (column == BatchTable.PICTURE)
+				return pictures.get(row);
+			final Object cell = outcomes.cell(row, column);
+			return BatchTable.isNumber(column) && cell.equals("") ? null : cell;
+		}
+	}
+
+	/** A picture as large as its cell allows, undistorted. */
+	private static final class Picture extends DefaultTableCellRenderer {
+
+		private static final long serialVersionUID = 1L;
+
+		private transient BufferedImage picture;
+
+		@Override
+		public Component getTableCellRendererComponent(final JTable table, final Object value,
+			final boolean selected, final boolean focused, final int row, final int column) {
+			picture = (BufferedImage) value;
+			return super.getTableCellRendererComponent(table, "", selected, focused, row, column);
+		}
+
+		@Override
+		protected void paintComponent(final Graphics g) {
+			super.paintComponent(g);
+			if (picture == null)
+				return;
+			final int across = getWidth() - 2, down = getHeight() - 2;
+			final double scale = Math.min((double) across / picture.getWidth(),
+				(double) down / picture.getHeight());
+			final int width = (int) (scale * picture.getWidth()),
+				height = (int) (scale * picture.getHeight());
+			((Graphics2D) g).setRenderingHint(RenderingHints.KEY_INTERPOLATION,
+				RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+			g.drawImage(picture, (getWidth() - width) / 2, (getHeight() - height) / 2, width,
+				height, null);
+		}
+	}
+}
