@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.Optional;
 
 import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.GraphTuning;
 import io.github.knotresolver.model.Anchor;
 import io.github.knotresolver.model.AnchorChoice;
@@ -114,8 +113,8 @@ final class SolvedMovie {
 		final List<FilamentTrack> exchanged = Exchanges
 			.in(filaments.stream().map(prepared.pixels()::out).toList(), told.constraints());
 		notes.addAll(Verdict.on(exchanged));
-		return new Tracks(movie, told,
-			exchanged.stream().map(f -> given(f, told.constraints())).toList(), notes);
+		final GivenContours given = new GivenContours(told.constraints(), scene.isPresent());
+		return new Tracks(movie, told, exchanged.stream().map(given::over).toList(), notes);
 	}
 
 	private List<FilamentTrack> of(final SceneTracks found, final List<String> notes) {
@@ -139,45 +138,6 @@ final class SolvedMovie {
 		notes.addAll(found.notes());
 		return new FilamentTrack(1, Anchor.CLAMPED, Optional.of(found.fixedEnd()), found.length(),
 			found.lengthError(), everyFrame(prepared.withLost(found.frames())));
-	}
-
-	/** Contours that the user gave stand, also where nothing was to be seen. */
-	private FilamentTrack given(final FilamentTrack track, final List<Constraint> constraints) {
-		final Map<Integer, List<Constraint>> said = new HashMap<>();
-		for (final Constraint c : constraints)
-			if (c.filament() == track.id() && c.kind().isOfContour()) {
-				requireFollowed(c);
-				said.computeIfAbsent(c.frame(), f -> new ArrayList<>()).add(c);
-			}
-		return new FilamentTrack(track.id(), track.anchor(), track.fixedEnd(), track.length(),
-			track.lengthError(), track.frames().stream()
-				.map(o -> given(o, said.getOrDefault(o.frame(), List.of()))).toList());
-	}
-
-	/** A scene knows one course for each frame. */
-	private void requireFollowed(final Constraint c) {
-		if (scene.isPresent()
-			&& (c.kind() == Constraint.Kind.THROUGH || c.kind() == Constraint.Kind.TIP))
-			throw new UserException("The correction of frame " + c.frame() + " is of the kind "
-				+ c.kind().label()
-				+ ", but where several filaments are resolved, corrections are whole contours; draw the whole contour.");
-	}
-
-	private Observation given(final Observation found, final List<Constraint> said) {
-		if (found.status() == FrameStatus.CORRECTED || found.status() == FrameStatus.IGNORED)
-			return found;
-		final Optional<Polyline> contour = said.stream()
-			.filter(c -> c.kind() == Constraint.Kind.CONTOUR).map(Constraint::shape)
-			.reduce((first, last) -> last);
-		if (contour.isPresent())
-			return new Observation(found.frame(), FrameStatus.CORRECTED, "Given by the user.",
-				contour, found.junctions(), 1, 0, 1);
-		final boolean refused = scene.isPresent()
-			&& said.stream().anyMatch(c -> found.contour().filter(c::refuses).isPresent());
-		return refused
-			? Observation.without(found.frame(), FrameStatus.UNRESOLVED,
-				"The user refused the only course that was found; draw the contour.")
-			: found;
 	}
 
 	private List<Observation> everyFrame(final Collection<Observation> found) {

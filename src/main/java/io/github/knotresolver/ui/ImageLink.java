@@ -12,12 +12,12 @@ import ij.ImageListener;
 import ij.ImagePlus;
 import ij.gui.ImageCanvas;
 import ij.gui.Overlay;
+import io.github.knotresolver.geometry.Drag;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.imagej.ReviewPictures;
 import io.github.knotresolver.model.Observation;
-import io.github.knotresolver.ui.model.Drag;
 import io.github.knotresolver.ui.model.ReviewModel;
 
 /**

@@ -3,6 +3,7 @@ package io.github.knotresolver.ui.model;
 import java.util.List;
 import java.util.Optional;
 
+import io.github.knotresolver.geometry.Drag;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Anchor;
@@ -30,7 +31,7 @@ record Words(Tracks tracks, FilamentTrack filament, int frame) {
 		return new Constraint(filament.id(), frame, kind, shape);
 	}
 
-	/** Where filaments are free or several, the solver knows whole contours only. */
+	/** Where filaments are free or several, what is dragged is taken as it is drawn. */
 	private boolean isScene() {
 		return tracks.filaments().size() > 1 || filament.anchor() == Anchor.FREE;
 	}
@@ -45,7 +46,7 @@ record Words(Tracks tracks, FilamentTrack filament, int frame) {
 	/** @return the contour ends here; likewise */
 	Constraint tip(final Point place) {
 		return isScene()
-			? word(Kind.CONTOUR, new Drag(shown(), shown().length()).to(place))
+			? word(Kind.CONTOUR, Drag.tip(shown()).to(place))
 			: word(Kind.TIP, Polyline.of(List.of(place)));
 	}
 

@@ -16,10 +16,13 @@ import org.junit.jupiter.api.io.TempDir;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.DrawnMovie;
 import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.geometry.Drag;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.io.CorrectionsCsv;
 import io.github.knotresolver.model.AnchorChoice;
+import io.github.knotresolver.model.Constraint;
+import io.github.knotresolver.model.Constraint.Kind;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
@@ -90,6 +93,62 @@ class ReviewSceneTest {
 					.resolve(drawn.movie(), Progress.NONE).filaments());
 			assertNotEquals(before.filaments(), said.filaments());
 		}
+	}
+
+	@Test
+	void placesThatAFileTellsBendTheContourOfTheFilamentThatIsMeant() {
+		final List<Chain> one = new ArrayList<>();
+		final List<List<Chain>> other = new ArrayList<>();
+		for (int t = 0; t < 4; t++) {
+			one.add(rod(12 + 4 * t, 70, 0.1, 48));
+			other.add(List.of(rod(45, 12 + 6 * t, 1.3, 40)));
+		}
+		final DrawnMovie drawn = DrawnMovie.draw(one, other,
+			LineModel.uniform(LineModel.Kind.ADDITIVE, 1.6, 1), 0.05, 7);
+		final Session session = new Session(drawn.movie(), SETTINGS);
+		final Tracks before = session.solve(List.of(), Progress.NONE);
+		final Polyline shown = contour(before, 2, 2);
+		final Point a = beside(shown, 12, 2.5), b = beside(shown, 18, -2),
+			end = beside(shown, shown.length(), 3), far = new Point(5, 90);
+		final List<Constraint> said = List.of(
+			new Constraint(2, 2, Kind.THROUGH, Polyline.of(List.of(a, b))),
+			new Constraint(2, 2, Kind.TIP, Polyline.of(List.of(end))),
+			new Constraint(1, 3, Kind.TIP, Polyline.of(List.of(far))));
+		final Tracks told = session.solve(said, Progress.NONE);
+		final Polyline bent = contour(told, 2, 2);
+		assertEquals(FrameStatus.CORRECTED,
+			told.filaments().get(1).frames().get(1).status());
+		assertTrue(bent.distanceTo(a) < 0.3 && bent.distanceTo(b) < 0.3, "through");
+		assertTrue(bent.last().distanceTo(end) < 0.3, "tip");
+		assertTrue(bent.first().distanceTo(shown.first()) < 1, "What is far stays");
+		assertEquals(FrameStatus.UNRESOLVED, told.filaments().get(0).frames().get(2).status());
+		assertEquals(contour(before, 1, 2), contour(told, 1, 2));
+		assertEquals(contour(before, 2, 3), contour(told, 2, 3));
+		final List<Constraint> mixed = List.of(said.get(2), said.get(1), said.get(0));
+		assertEquals(told.filaments(), new FilamentResolver(
+			SETTINGS.edit().threads(1).constraints(mixed).build())
+			.resolve(drawn.movie(), Progress.NONE).filaments());
+		// Of one place more than a curve can be near at once, nothing is made up.
+		final Polyline apart = Polyline.of(List.of(beside(shown, 20, 3), beside(shown, 20, -3),
+			beside(shown, 20.5, 3.5), beside(shown, 20.5, -3.5)));
+		final Tracks torn = session.solve(List.of(new Constraint(2, 2, Kind.THROUGH, apart)),
+			Progress.NONE);
+		final var frame = torn.filaments().get(1).frames().get(1);
+		assertTrue(frame.status() == FrameStatus.UNRESOLVED && frame.contour().isEmpty(),
+			frame.toString());
+	}
+
+	private static Polyline contour(final Tracks tracks, final int filament, final int frame) {
+		return tracks.filaments().get(filament - 1).frames().get(frame - 1).contour()
+			.orElseThrow();
+	}
+
+	/** A place so far to the side of a contour. */
+	private static Point beside(final Polyline contour, final double arc, final double away) {
+		final Point from = contour.at(Math.max(0, arc - 1)), to = contour.at(Math.max(1, arc));
+		final double length = from.distanceTo(to);
+		return new Point(to.x() - away * (to.y() - from.y()) / length,
+			to.y() + away * (to.x() - from.x()) / length);
 	}
 
 	private static Point place(final Tracks tracks, final int filament, final int frame) {

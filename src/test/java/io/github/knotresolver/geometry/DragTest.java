@@ -1,4 +1,4 @@
-package io.github.knotresolver.ui.model;
+package io.github.knotresolver.geometry;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -7,9 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 
 import org.junit.jupiter.api.Test;
-
-import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.geometry.Polyline;
 
 class DragTest {
 

@@ -1,9 +1,6 @@
-package io.github.knotresolver.ui.model;
+package io.github.knotresolver.geometry;
 
 import java.util.Optional;
-
-import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.geometry.Polyline;
 
 /**
  * A contour that is held at one place and drawn elsewhere: what is near along the contour follows,
@@ -18,7 +15,7 @@ public record Drag(Polyline contour, double held) {
 	private static final double STEP = 1.5;
 
 	/** This part of the contour to either side follows. */
-	private static final double FOLLOWING = 0.2;
+	public static final double FOLLOWING = 0.2;
 
 	/**
 	 * @param contour a contour in pixels
@@ -28,7 +25,7 @@ public record Drag(Polyline contour, double held) {
 	 */
 	public static Optional<Drag> at(final Polyline contour, final Point place, final double reach) {
 		if (contour.last().distanceTo(place) <= reach)
-			return Optional.of(new Drag(contour, contour.length()));
+			return Optional.of(tip(contour));
 		return Optional.of(nearest(contour, place))
 			.filter(d -> contour.at(d.held).distanceTo(place) <= reach);
 	}
@@ -38,13 +35,21 @@ public record Drag(Polyline contour, double held) {
 	 * @param place anywhere
 	 * @return the contour, held at its point nearest to the place
 	 */
-	static Drag nearest(final Polyline contour, final Point place) {
+	public static Drag nearest(final Polyline contour, final Point place) {
 		final Polyline line = contour.resampled(STEP / 2);
 		int nearest = 0;
 		for (int i = 1; i < line.size(); i++)
 			if (line.point(i).distanceTo(place) < line.point(nearest).distanceTo(place))
 				nearest = i;
 		return new Drag(contour, line.arc(nearest) / line.length() * contour.length());
+	}
+
+	/**
+	 * @param contour a contour in pixels
+	 * @return the contour, held at its tip
+	 */
+	public static Drag tip(final Polyline contour) {
+		return new Drag(contour, contour.length());
 	}
 
 	/** @return whether the tip is held */
