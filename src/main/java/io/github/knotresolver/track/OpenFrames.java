@@ -141,7 +141,7 @@ record OpenFrames(List<Seen> seen) {
 		final List<NormalizedFrame> light, final Candidate best, final FilamentEstimate estimate,
 		final FitSettings endsFree) {
 		final Polyline contour = ContourBuilder.smooth(best);
-		if (contour.size() < 2 || contour.length() < 4 * estimate.model().sigma())
+		if (contour.size() < 2 || contour.length() < TrackTuning.SPOT * estimate.model().sigma())
 			return Optional.empty();
 		final boolean crossed = !isOpen(best);
 		if (crossed && best.price().overlap() > TWICE_CROSSED * contour.length())

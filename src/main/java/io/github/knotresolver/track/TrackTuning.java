@@ -180,6 +180,12 @@ final class TrackTuning {
 	static final double SPECK = 15;
 
 	/**
+	 * [line widths] A contour of which no more is in the picture is not given. Why: it cannot be told
+	 * from a spot, and its course not at all.
+	 */
+	static final double SPOT = 4;
+
+	/**
 	 * [share] Weight of skeleton that lies still. Why: debris does, and a filament only near its
 	 * clamp.
 	 */

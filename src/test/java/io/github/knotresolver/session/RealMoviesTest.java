@@ -8,12 +8,17 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.ImageMovie;
+import io.github.knotresolver.model.LengthModel;
+import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.options.InputOptions;
@@ -46,5 +51,19 @@ class RealMoviesTest {
 				"length varies by " + consistency.lengthVariation()),
 			() -> assertTrue(consistency.endStep() <= STEADY,
 				"fixed end steps by " + consistency.endStep() + " px"));
+	}
+
+	/** The fixed end is told where no filament is. */
+	@Test
+	void aPieceLikeASpotIsNoContour() {
+		final Path file = DATA.resolveSibling("faults").resolve("crash_mt6.tif");
+		assumeTrue(Files.exists(file), "Not here: " + file);
+		final Tracks tracks = new FilamentResolver(
+			new Settings.Builder().fixedEnd(Optional.of(new Point(12, 8)))
+				.lengthModel(LengthModel.FREE).build())
+			.resolve(ImageMovie.of(ImageFile.open(file), InputOptions.DEFAULT), Progress.NONE);
+		for (final Observation frame : tracks.only().frames())
+			assertTrue(frame.contour().isEmpty() || frame.confidence() < Observation.SURE
+				&& frame.contour().get().length() > 8, frame.toString());
 	}
 }
