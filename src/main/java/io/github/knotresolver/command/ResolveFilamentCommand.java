@@ -233,7 +233,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 		final long start = System.nanoTime();
 		final Map<String, String> texts = ImageSelection.over(texts(), input);
 		final ResolveRun run = ResolveRun.of(texts);
-		final KeptSession session = new KeptSession();
+		final KeptSession session = new KeptSession(input);
 		if (engine == Engine.PIPELINE && !GraphicsEnvironment.isHeadless())
 			engine = session;
 		final ImageSource source = ImageSource.of(input);

@@ -2,19 +2,31 @@ package io.github.knotresolver.ui;
 
 import java.util.List;
 
+import ij.ImagePlus;
+import io.github.knotresolver.imagej.PixelSum;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.run.Engine;
 import io.github.knotresolver.session.Session;
 import io.github.knotresolver.ui.model.Solver;
 
-/** The engine of one run, which remembers what it worked out, so that its result can be reviewed. */
+/**
+ * The engine of one run on an image, which remembers what it worked out, so that its result can be
+ * reviewed: as long as the image has the pixels that were resolved.
+ */
 public final class KeptSession implements Engine, Solver {
 
+	private final PixelSum pixels;
 	private Session session;
+
+	/** @param image that is about to be resolved; its pixels are shared with the movie */
+	public KeptSession(final ImagePlus image) {
+		pixels = PixelSum.of(image);
+	}
 
 	@Override
 	public Tracks resolve(final Movie movie, final Settings settings, final Progress progress) {
@@ -24,6 +36,14 @@ public final class KeptSession implements Engine, Solver {
 
 	@Override
 	public Tracks solve(final List<Constraint> said, final Progress progress) {
+		requireSamePixels();
 		return session.solve(said, progress);
+	}
+
+	/** @throws UserException if the image was edited since its run, in one sentence */
+	void requireSamePixels() {
+		if (!pixels.isSame())
+			throw new UserException("The pixels of '" + pixels.image().getTitle()
+				+ "' were changed since it was resolved, so the result does not belong to them any more; undo the change (Edit > Undo, File > Revert), or resolve the image again.");
 	}
 }

@@ -41,19 +41,23 @@ public final class ReviewedResult implements AutoCloseable {
 	private final Map<String, String> given;
 	private final ImageSource source;
 	private final ReviewModel model;
+	/** Fails if what was resolved is not in the image any more. */
+	private final Runnable check;
 	private Optional<Path> folder;
 	/** What is in the file of corrections as far as it is known here. */
 	private Optional<String> file;
 	private List<Constraint> saved;
 
 	private ReviewedResult(final Map<String, String> texts, final ImageSource source,
-		final ReviewModel model, final Optional<Path> folder) throws IOException {
+		final ReviewModel model, final Optional<Path> folder, final Runnable check)
+		throws IOException {
 		given = new TreeMap<>(texts);
 		given.values().removeIf(text -> text == null || text.isBlank());
 		given.keySet().removeAll(List.of(CORRECTIONS, "threads"));
 		this.source = source;
 		this.model = model;
 		this.folder = folder;
+		this.check = check;
 		file = text();
 		saved = model.said();
 	}
@@ -80,7 +84,8 @@ public final class ReviewedResult implements AutoCloseable {
 			FinishedTracks.read(absolute, movie, options.settings(movie, before))
 				.map(t -> ReviewModel.finished(t, solver))
 				.orElseGet(() -> new ReviewModel(movie, solver, before)),
-			Optional.of(absolute));
+			Optional.of(absolute), () -> {
+			});
 	}
 
 	private static RunIdentity identity(final Path folder, final Path absolute,
@@ -105,13 +110,16 @@ public final class ReviewedResult implements AutoCloseable {
 	 * @param live a result in memory
 	 * @param image the image that was resolved
 	 * @return its review; words can follow at once
+	 * @throws UserException if the image was edited since, in one sentence
 	 * @throws IOException if the files of its folder cannot be read
 	 */
 	public static ReviewedResult of(final LiveResult live, final ImagePlus image)
 		throws IOException {
+		live.session().requireSamePixels();
 		return new ReviewedResult(live.texts(), ImageSource.of(image),
 			ReviewModel.live(live.tracks(), live.session()),
-			live.folder().map(f -> f.toAbsolutePath().normalize()));
+			live.folder().map(f -> f.toAbsolutePath().normalize()),
+			live.session()::requireSamePixels);
 	}
 
 	/** @return the folder, absolute; empty as long as the result was never written */
@@ -163,8 +171,8 @@ public final class ReviewedResult implements AutoCloseable {
 	 * byte.
 	 *
 	 * @param progress told how far it is; may cancel
-	 * @throws UserException if the file of corrections was changed by others, there is no result, or
-	 *           the folder cannot be used
+	 * @throws UserException if the file of corrections was changed by others, the image was edited
+	 *           since it was resolved, there is no result, or the folder cannot be used
 	 * @throws IOException if the files cannot be written
 	 * @throws InterruptedException if the thread is asked to stop
 	 */
@@ -173,6 +181,7 @@ public final class ReviewedResult implements AutoCloseable {
 		final Path target = folder
 			.orElseThrow(() -> new UserException("Choose the folder of the result first."));
 		final Tracks tracks = model.atRest();
+		check.run();
 		final List<Constraint> said = tracks.settings().constraints();
 		if (ResultKind.of(target).isPresent()) {
 			writeCorrections(said);

@@ -50,7 +50,7 @@ final class ReactionMain {
 		final ImagePlus image = image();
 		ImageView.show(image);
 		final Movie movie = ImageMovie.of(image, InputOptions.DEFAULT);
-		final KeptSession session = new KeptSession();
+		final KeptSession session = new KeptSession(image);
 		final Tracks tracks = session.resolve(movie, Settings.DEFAULT, Progress.NONE);
 		final ReviewedResult result = ReviewedResult
 			.of(new LiveResult(tracks, session, Map.of(), Optional.empty()), image);

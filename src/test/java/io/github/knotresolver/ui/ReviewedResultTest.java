@@ -124,7 +124,7 @@ class ReviewedResultTest {
 	@Test
 	void aResultInMemoryIsReviewedAtOnceAndWrittenToANewFolder() throws Exception {
 		final ImagePlus image = ImageFile.open(movie);
-		final KeptSession session = new KeptSession();
+		final KeptSession session = new KeptSession(image);
 		final Map<String, String> texts = Map.of("frames", "1-5", "threads", "2", "region", "");
 		final Tracks tracks = ResolveRun.of(texts).read(ImageSource.of(image), Progress.NONE)
 			.resolve(session, ResultSink.NONE, Progress.NONE).result().tracks();
@@ -151,6 +151,39 @@ class ReviewedResultTest {
 		for (final String file : List.of("contours.csv", "frames.csv", "filaments.csv",
 			"summary.csv", "RoiSet.zip"))
 			assertEquals(-1, Files.mismatch(fresh.resolve(file), again.resolve(file)), file);
+	}
+
+	@Test
+	void pixelsThatWereEditedSinceAreNoticedUntilTheyAreAsBefore() throws Exception {
+		final ImagePlus image = ImageFile.open(movie);
+		final KeptSession session = new KeptSession(image);
+		final Map<String, String> texts = Map.of("frames", "1-5", "threads", "2");
+		final Tracks tracks = ResolveRun.of(texts).read(ImageSource.of(image), Progress.NONE)
+			.resolve(session, ResultSink.NONE, Progress.NONE).result().tracks();
+		final LiveResult live = new LiveResult(tracks, session, texts, Optional.empty());
+		final Path fresh = home.resolve("fresh");
+		try (ReviewedResult review = ReviewedResult.of(live, image)) {
+			review.chooseFolder(fresh);
+			final var pixels = image.getStack().getProcessor(4);
+			final int before = pixels.get(7, 9);
+			pixels.set(7, 9, before + 1);
+			review.model().goTo(3);
+			review.model().refuse();
+			assertEquals(tracks, review.model().atRest());
+			final String said = review.model().problem().orElseThrow();
+			assertTrue(said.contains("were changed since it was resolved"), said);
+			assertEquals(List.of(), review.model().said());
+			assertEquals(said,
+				assertThrows(UserException.class, () -> review.save(Progress.NONE)).getMessage());
+			assertFalse(Files.exists(fresh));
+			assertEquals(said, assertThrows(UserException.class,
+				() -> ReviewedResult.of(live, image)).getMessage());
+			pixels.set(7, 9, before);
+			review.model().refuse();
+			review.model().atRest();
+			assertEquals(Optional.empty(), review.model().problem());
+			assertEquals(1, review.model().said().size());
+		}
 	}
 
 	@Test
