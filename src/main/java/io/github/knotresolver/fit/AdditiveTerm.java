@@ -11,8 +11,7 @@ import java.util.Arrays;
  */
 final class AdditiveTerm implements ImageTerm {
 
-	private final NormalizedFrame frame;
-	private final double[] pixels;
+	private final DrawnPart part;
 	private final double[] brightness;
 	private final double sigma2;
 	private final double reach;
@@ -21,11 +20,14 @@ final class AdditiveTerm implements ImageTerm {
 	private final double density;
 	private final Robust robust;
 
-	private final double[] model;
-	private final int[] head;
-	private final int[] band;
+	private final Strip strip = new Strip();
+
+	// For each pixel of the part; as if nothing was drawn whenever a chain has been looked at.
+	private Patch patch;
+	private NormalizedFrame frame;
+	private double[] pixels, model;
+	private int[] head, band;
 	private int bandSize;
-	private final Strip strip;
 
 	// One entry for each pair of a pixel and a link in reach.
 	private int[] next = new int[1 << 14];
@@ -37,9 +39,7 @@ final class AdditiveTerm implements ImageTerm {
 	private double[] jacobian = new double[128];
 
 	AdditiveTerm(final NormalizedFrame frame, final LineTables line, final int links) {
-		this.frame = frame;
-		pixels = frame.pixels();
-		strip = new Strip(frame.width(), frame.height());
+		part = new DrawnPart(frame);
 		brightness = line.model().brightnessOfLinks(links);
 		sigma2 = line.model().sigma() * line.model().sigma();
 		reach = line.reach();
@@ -47,17 +47,27 @@ final class AdditiveTerm implements ImageTerm {
 		error = line.along();
 		density = 1 / Math.sqrt(2 * Math.PI * sigma2);
 		robust = line.robust();
-		final int size = pixels.length;
-		model = new double[size];
-		head = new int[size];
+	}
+
+	private void look(final double[] x, final double[] y, final int links) {
+		if (!part.grow(x, y, links, reach))
+			return;
+		patch = part.patch();
+		strip.within(patch);
+		frame = part.view();
+		pixels = frame.pixels();
+		model = new double[pixels.length];
+		head = new int[pixels.length];
 		Arrays.fill(head, -1);
-		band = new int[size];
+		band = new int[pixels.length];
 	}
 
 	@Override
 	public double evaluate(final double[] x, final double[] y, final int links,
 		final NodeSystem system) {
 		accumulate(x, y, links, system != null);
+		if (!part.isSomewhere())
+			return Double.NaN;
 		if (system != null)
 			system.clear();
 		double sum = 0;
@@ -79,12 +89,14 @@ final class AdditiveTerm implements ImageTerm {
 	}
 
 	@Override
-	public void draw(final double[] x, final double[] y, final int links, final double[] picture) {
+	public void draw(final double[] x, final double[] y, final int links, final Patch to,
+		final double[] picture) {
 		accumulate(x, y, links, false);
 		Arrays.fill(picture, 0);
 		for (int b = 0; b < bandSize; b++) {
-			final int at = band[b];
-			picture[at] = model[at];
+			final int at = band[b], there = to.at(at, patch);
+			if (there >= 0)
+				picture[there] = model[at];
 			model[at] = 0;
 			head[at] = -1;
 		}
@@ -119,7 +131,8 @@ final class AdditiveTerm implements ImageTerm {
 		final boolean slopes) {
 		bandSize = 0;
 		entries = 0;
-		for (int i = 0; i < links; i++)
+		look(x, y, links);
+		for (int i = 0; i < links && part.isSomewhere(); i++)
 			visitLink(i, x[i], y[i], x[i + 1], y[i + 1], slopes);
 	}
 
@@ -131,6 +144,7 @@ final class AdditiveTerm implements ImageTerm {
 		final int lastRow = strip.lastRow();
 		for (int row = strip.firstRow(); row <= lastRow; row++) {
 			final double py = row - ay;
+			final int begin = (row - patch.top()) * patch.width() - patch.left();
 			strip.cut(row);
 			final int lastColumn = strip.lastColumn();
 			for (int column = strip.firstColumn(); column <= lastColumn; column++) {
@@ -140,7 +154,7 @@ final class AdditiveTerm implements ImageTerm {
 				final double value = across * (cumulative(t) - cumulative(t - l));
 				if (value < FitTuning.DRAWN_DARK)
 					continue;
-				final int at = row * frame.width() + column;
+				final int at = begin + column;
 				if (head[at] == -1 && model[at] == 0)
 					band[bandSize++] = at;
 				model[at] += value;

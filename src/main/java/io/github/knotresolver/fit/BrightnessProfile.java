@@ -70,19 +70,20 @@ final class BrightnessProfile {
 	private static void add(final Example example, final Estimate line, final double[][] matrix,
 		final double[] right) {
 		final int knots = right.length;
+		final LineEstimator.Around around = example.around();
 		final double[][] pictures = new double[knots][];
 		for (int k = 0; k < knots; k++) {
 			final double[] hat = new double[knots];
 			hat[k] = 1;
 			pictures[k] = ChainPixels.draw(example.frame(), line.model().withBrightness(hat),
-				example.chain());
+				example.chain(), around.patch());
 		}
-		for (int i = 0; i < example.near().length; i++) {
-			if (!example.near()[i])
+		final double[] pixels = around.part().pixels();
+		for (int i = 0; i < pixels.length; i++) {
+			if (!around.near()[i])
 				continue;
-			final double value = (example.frame().pixels()[i] - line.background())
-				/ line.amplitude();
-			if (isCutOff(example.frame(), i, line, pictures))
+			final double value = (pixels[i] - line.background()) / line.amplitude();
+			if (isCutOff(around.part(), i, line, pictures))
 				continue;
 			for (int k = 0; k < knots; k++) {
 				if (pictures[k][i] == 0)

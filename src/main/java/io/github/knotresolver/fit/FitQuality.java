@@ -1,5 +1,7 @@
 package io.github.knotresolver.fit;
 
+import java.util.List;
+
 /**
  * How well a fitted chain agrees with its frame, in figures that can be compared between
  * frames.
@@ -20,13 +22,15 @@ public record FitQuality(double misfit, double dark) {
 	 */
 	public static FitQuality of(final NormalizedFrame frame, final LineModel model,
 		final Chain chain) {
-		final double[] picture = ChainPixels.draw(frame, model, chain);
-		final boolean[] near = ChainPixels.of(frame, chain, FitTuning.QUALITY_RADIUS);
-		final double[] pixels = frame.pixels();
+		final Patch patch = Patch.around(List.of(chain), FitTuning.QUALITY_RADIUS, frame);
+		final NormalizedFrame part = patch.part(frame);
+		final double[] picture = ChainPixels.draw(frame, model, chain, patch);
+		final boolean[] near = ChainPixels.of(patch, List.of(chain), FitTuning.QUALITY_RADIUS);
+		final double[] pixels = part.pixels();
 		double sum = 0;
 		for (int i = 0; i < picture.length; i++)
 			if (near[i])
-				sum += Robust.ALONE.price(frame.residual(i, pixels[i], picture[i], model));
+				sum += Robust.ALONE.price(part.residual(i, pixels[i], picture[i], model));
 		return new FitQuality(sum / chain.length(), dark(frame, model, chain));
 	}
 

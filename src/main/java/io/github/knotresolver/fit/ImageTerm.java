@@ -26,10 +26,11 @@ interface ImageTerm {
 	 * @param x columns of the nodes in pixels
 	 * @param y rows of the nodes
 	 * @param links number of links
-	 * @param picture receives the model's value of every pixel of the band; other
+	 * @param patch the part of the frame that is drawn
+	 * @param picture of that part, receives the model's value of every pixel of the band; other
 	 *          pixels are set to 0
 	 */
-	void draw(double[] x, double[] y, int links, double[] picture);
+	void draw(double[] x, double[] y, int links, Patch patch, double[] picture);
 
 	/** @return whether a pixel may depend on more than one link */
 	boolean couplesFarNodes();
@@ -41,17 +42,15 @@ interface ImageTerm {
 	 * @return the term for the model's kind
 	 */
 	static ImageTerm of(final NormalizedFrame frame, final LineModel model, final int links) {
-		return of(frame, new LineTables(model.in(frame), Robust.ALONE), links,
-			model.kind() == LineModel.Kind.ADDITIVE
-				? new double[0]
-				: new double[frame.width() * frame.height()]);
+		return of(frame, new LineTables(model.in(frame), Robust.ALONE), links, new double[0]);
 	}
 
 	/**
 	 * @param frame the frame; of lines that add up, less what is drawn already
 	 * @param line the line
 	 * @param links number of links of the chains to come
-	 * @param others of lines that saturate, for every pixel the light of what is drawn already
+	 * @param others of lines that saturate, for every pixel the light of what is drawn already;
+	 *          empty if that is nothing
 	 * @return the term for the line's kind
 	 */
 	static ImageTerm of(final NormalizedFrame frame, final LineTables line, final int links,

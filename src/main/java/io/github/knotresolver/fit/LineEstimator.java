@@ -23,9 +23,9 @@ public final class LineEstimator {
 	 *
 	 * @param frame the frame
 	 * @param chains the curves, at least one
-	 * @param near for every pixel whether it is looked at
+	 * @param around the pixels that are looked at
 	 */
-	public record Example(NormalizedFrame frame, List<Chain> chains, boolean[] near) {
+	public record Example(NormalizedFrame frame, List<Chain> chains, Around around) {
 
 		/**
 		 * @param frame the frame
@@ -40,12 +40,28 @@ public final class LineEstimator {
 		 * @param chains all its curves
 		 */
 		public Example(final NormalizedFrame frame, final List<Chain> chains) {
-			this(frame, chains, ChainPixels.of(frame, chains, FitTuning.LINE_RADIUS));
+			this(frame, chains, Around.of(frame, chains));
 		}
 
 		/** @return the first curve */
 		Chain chain() {
 			return chains.get(0);
+		}
+	}
+
+	/**
+	 * What is around curves.
+	 *
+	 * @param patch where it is in the frame
+	 * @param part its pixels
+	 * @param near for each of them whether it is looked at
+	 */
+	record Around(Patch patch, NormalizedFrame part, boolean[] near) {
+
+		static Around of(final NormalizedFrame frame, final List<Chain> chains) {
+			final Patch patch = Patch.around(chains, FitTuning.LINE_RADIUS, frame);
+			return new Around(patch, patch.part(frame),
+				ChainPixels.of(patch, chains, FitTuning.LINE_RADIUS));
 		}
 	}
 
@@ -142,7 +158,7 @@ public final class LineEstimator {
 	 */
 	public static Estimate fit(final List<Example> examples, final LineModel model) {
 		final List<double[]> pictures = examples.stream()
-			.map(e -> ChainPixels.draw(e.frame(), model, e.chains())).toList();
+			.map(e -> ChainPixels.draw(e.frame(), model, e.chains(), e.around().patch())).toList();
 		// Where the line as it is known is cut off, pixels do not say how bright it is.
 		Estimate line = fit(examples, pictures, new Estimate(model, 1, 0, Double.NaN, Double.NaN));
 		if (model.kind() == LineModel.Kind.ADDITIVE && isClipped(examples))
@@ -162,15 +178,15 @@ public final class LineEstimator {
 		double all = 0, sumAll = 0, squareAll = 0, n = 0, sumM = 0, sumI = 0, sumMM = 0, sumMI = 0,
 			sumII = 0;
 		for (int k = 0; k < pictures.size(); k++) {
-			final Example example = examples.get(k);
-			final double[] pixels = example.frame.pixels();
+			final Around around = examples.get(k).around;
+			final double[] pixels = around.part.pixels();
 			final double[] picture = pictures.get(k);
 			for (int i = 0; i < picture.length; i++)
-				if (example.near[i]) {
+				if (around.near[i]) {
 					all++;
 					sumAll += pixels[i];
 					squareAll += pixels[i] * pixels[i];
-					if (!believes && known.isHidden(example.frame, i, pixels[i], picture[i]))
+					if (!believes && known.isHidden(around.part, i, pixels[i], picture[i]))
 						continue;
 					n++;
 					sumM += picture[i];

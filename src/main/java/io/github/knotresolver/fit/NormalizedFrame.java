@@ -26,6 +26,8 @@ public final class NormalizedFrame {
 	private final Optional<Compact> compact;
 	private final double[] ceiling;
 	private final double widening;
+	/** Of a pixel; NaN as long as nobody asked. */
+	private volatile double noise = Double.NaN;
 
 	/**
 	 * A frame in focus, of which nothing was cut off.
@@ -119,7 +121,7 @@ public final class NormalizedFrame {
 	/** @return whether the pixel at a place in the frame was cut off */
 	boolean isClipped(final double x, final double y) {
 		final int at = (int) Math.rint(y) * width + (int) Math.rint(x);
-		return isClipped() && pixels()[at] >= ceiling[at];
+		return isClipped() && part((int) Math.rint(x), (int) Math.rint(y), 1, 1)[0] >= ceiling[at];
 	}
 
 	/** @return whether a pixel does not say how bright what is drawn there is */
@@ -183,11 +185,29 @@ public final class NormalizedFrame {
 			final double[] values = new double[light.length];
 			for (int i = 0; i < values.length; i++)
 				values[i] = light[i];
+			scale(values);
+			made = new WeakReference<>(values);
+			return values;
+		}
+
+		/** The values of a part of a frame so many pixels wide, without all others. */
+		double[] part(final int width, final Patch patch) {
+			final double[] known = made.get();
+			if (known != null)
+				return patch.cut(known, width);
+			final float[] light = source.get();
+			final double[] values = new double[patch.width() * patch.height()];
+			for (int row = 0, i = 0; row < patch.height(); row++)
+				for (int c = 0; c < patch.width(); c++, i++)
+					values[i] = light[(patch.top() + row) * width + patch.left() + c];
+			scale(values);
+			return values;
+		}
+
+		private void scale(final double[] values) {
 			for (int k = 0; k < scales.length; k += 2)
 				for (int i = 0; i < values.length; i++)
 					values[i] = (values[i] - scales[k]) / scales[k + 1];
-			made = new WeakReference<>(values);
-			return values;
 		}
 	}
 
@@ -249,9 +269,15 @@ public final class NormalizedFrame {
 	 * @return that part; it must lie inside the frame
 	 */
 	NormalizedFrame window(final int left, final int top, final int columns, final int rows) {
-		final double[] part = part(pixels(), left, top, columns, rows);
+		final double[] part = part(left, top, columns, rows);
 		return new NormalizedFrame(columns, rows, () -> part, Optional.empty(),
 			isClipped() ? part(ceiling, left, top, columns, rows) : NONE, widening);
+	}
+
+	private double[] part(final int left, final int top, final int columns, final int rows) {
+		return compact.isPresent()
+			? compact.get().part(width, new Patch(left, top, columns, rows))
+			: part(pixels(), left, top, columns, rows);
 	}
 
 	private double[] part(final double[] of, final int left, final int top, final int columns,
@@ -262,9 +288,14 @@ public final class NormalizedFrame {
 		return part;
 	}
 
-	/** @return the {@link PixelNoise} of the frame */
+	/** @return the {@link PixelNoise} of the frame; O(pixels) when it is asked for first */
 	public double noise() {
-		return PixelNoise.of(pixels(), width);
+		double known = noise;
+		if (Double.isNaN(known)) {
+			known = PixelNoise.of(pixels(), width);
+			noise = known;
+		}
+		return known;
 	}
 
 	/**
@@ -274,15 +305,15 @@ public final class NormalizedFrame {
 	 *         the frame; NaN if none is
 	 */
 	public double meanAround(final double x, final double y) {
-		final double[] pixels = pixels();
 		final int column = (int) Math.rint(x), row = (int) Math.rint(y);
+		final int left = Math.max(0, column - 1), right = Math.min(width - 1, column + 1);
+		final int top = Math.max(0, row - 1), bottom = Math.min(height - 1, row + 1);
+		if (left > right || top > bottom)
+			return Double.NaN;
 		double sum = 0;
-		int count = 0;
-		for (int r = Math.max(0, row - 1); r <= Math.min(height - 1, row + 1); r++)
-			for (int c = Math.max(0, column - 1); c <= Math.min(width - 1, column + 1); c++) {
-				sum += pixels[r * width + c];
-				count++;
-			}
-		return sum / count;
+		final double[] around = part(left, top, right - left + 1, bottom - top + 1);
+		for (final double value : around)
+			sum += value;
+		return sum / around.length;
 	}
 }

@@ -30,8 +30,28 @@ record Patch(int left, int top, int width, int height) {
 			inside(Math.ceil(bottom + margin), frame.height()) - y0 + 1);
 	}
 
+	/** All of a picture. */
+	static Patch of(final NormalizedFrame frame) {
+		return new Patch(0, 0, frame.width(), frame.height());
+	}
+
+	/**
+	 * @param at place of a pixel in another patch of the same picture, row by row
+	 * @param other that patch
+	 * @return its place in this one; -1 if it is outside
+	 */
+	int at(final int at, final Patch other) {
+		final int x = at % other.width + other.left - left, y = at / other.width + other.top - top;
+		return x < 0 || y < 0 || x >= width || y >= height ? -1 : y * width + x;
+	}
+
 	private static int inside(final double at, final int size) {
 		return (int) Math.max(0, Math.min(size - 1, at));
+	}
+
+	/** This part of a frame. */
+	NormalizedFrame part(final NormalizedFrame frame) {
+		return frame.window(left, top, width, height);
 	}
 
 	boolean meets(final Patch other) {

@@ -1,5 +1,7 @@
 package io.github.knotresolver.fit;
 
+import java.util.List;
+
 import io.github.knotresolver.image.GaussianBlur;
 
 /**
@@ -19,7 +21,7 @@ public record Residue(double unexplained, double invented, double pattern) {
 	private static final double WIDTH = 3.3;
 
 	/**
-	 * Looks at a chain in its frame. O(pixels).
+	 * Looks at a chain in its frame. O(pixels) around it.
 	 *
 	 * @param frame the frame, a strand's brightness 1
 	 * @param model what a line looks like
@@ -28,19 +30,24 @@ public record Residue(double unexplained, double invented, double pattern) {
 	 */
 	public static Residue of(final NormalizedFrame frame, final LineModel model,
 		final Chain chain) {
-		final double[] picture = ChainPixels.draw(frame, model, chain);
+		final double sigma = Math.max(1, model.in(frame).sigma());
+		final Patch patch = Patch.around(List.of(chain),
+			Math.max(FitTuning.RESIDUE_NEAR, FitTuning.RESIDUE_AROUND)
+				+ Math.ceil(GaussianBlur.REACH * sigma) + 1,
+			frame);
+		final NormalizedFrame part = patch.part(frame);
+		final double[] picture = ChainPixels.draw(frame, model, chain, patch);
 		final double noise = Math.max(FitTuning.RESIDUE_NOISE, frame.noise());
-		final double[] pixels = frame.pixels();
+		final double[] pixels = part.pixels();
 		final float[] residual = new float[picture.length];
 		for (int i = 0; i < picture.length; i++)
 			residual[i] = (float) Math.max(-FitTuning.RESIDUE_OUTLIER * 2, Math.min(
-				FitTuning.RESIDUE_OUTLIER * 2, frame.residual(i, pixels[i], picture[i], model)));
-		final double sigma = Math.max(1, model.in(frame).sigma());
-		final float[] blurred = GaussianBlur.blur(residual, frame.width(), sigma);
+				FitTuning.RESIDUE_OUTLIER * 2, part.residual(i, pixels[i], picture[i], model)));
+		final float[] blurred = GaussianBlur.blur(residual, patch.width(), sigma);
 		final double threshold = Math.max(FitTuning.RESIDUE_SEEN,
 			FitTuning.RESIDUE_NOISES * noise / (2 * Math.sqrt(Math.PI) * sigma));
-		final boolean[] near = ChainPixels.of(frame, chain, FitTuning.RESIDUE_NEAR),
-			around = ChainPixels.of(frame, chain, FitTuning.RESIDUE_AROUND);
+		final boolean[] near = ChainPixels.of(patch, List.of(chain), FitTuning.RESIDUE_NEAR),
+			around = ChainPixels.of(patch, List.of(chain), FitTuning.RESIDUE_AROUND);
 		int more = 0, less = 0, count = 0;
 		double sum = 0;
 		for (int i = 0; i < picture.length; i++) {

@@ -20,21 +20,21 @@ final class SaturatingTerm implements ImageTerm {
 
 	private static final double END_STRETCH = END_SHARPNESS * END_SHARPNESS - 1;
 
-	private final NormalizedFrame frame;
-	private final double[] pixels;
+	private final DrawnPart part;
+	private final int width;
 	private final double reach;
 	private final double[] brightness;
 	private final Table profile;
 	private final Table slope;
 	private final Robust robust;
 	private final double[] others;
+	private final Strip strip = new Strip();
 
-	private final double[] distance2;
-	private final int[] link;
-	private final double[] along;
-	private final int[] band;
+	// For each pixel of the part; distances are reset whenever a chain has been looked at.
+	private Patch patch;
+	private double[] pixels, drawn, distance2, along;
+	private int[] link, band;
 	private int bandSize;
-	private final Strip strip;
 
 	private final int[] nodes = new int[2];
 	private final double[] jacobian = new double[4];
@@ -44,24 +44,32 @@ final class SaturatingTerm implements ImageTerm {
 	 * @param line the line
 	 * @param links number of links
 	 * @param others for every pixel the light of what is drawn already, of which the
-	 *          brighter is seen
+	 *          brighter is seen; empty if that is nothing
 	 */
 	SaturatingTerm(final NormalizedFrame frame, final LineTables line, final int links,
 		final double[] others) {
-		this.frame = frame;
-		pixels = frame.pixels();
+		part = new DrawnPart(frame);
+		width = frame.width();
 		this.others = others;
-		strip = new Strip(frame.width(), frame.height());
 		reach = line.reach();
 		brightness = line.model().brightnessOfLinks(links);
 		profile = line.across();
 		slope = line.along();
 		robust = line.robust();
+	}
+
+	private void look(final double[] x, final double[] y, final int links) {
+		if (!part.grow(x, y, links, reach))
+			return;
+		patch = part.patch();
+		strip.within(patch);
+		pixels = part.view().pixels();
 		final int size = pixels.length;
+		drawn = others.length == 0 ? new double[size] : patch.cut(others, width);
 		distance2 = new double[size];
 		Arrays.fill(distance2, reach * reach);
-		link = new int[size];
 		along = new double[size];
+		link = new int[size];
 		band = new int[size];
 	}
 
@@ -69,6 +77,8 @@ final class SaturatingTerm implements ImageTerm {
 	public double evaluate(final double[] x, final double[] y, final int links,
 		final NodeSystem system) {
 		findBand(x, y, links);
+		if (!part.isSomewhere())
+			return Double.NaN;
 		if (system != null)
 			system.clear();
 		double sum = 0;
@@ -76,9 +86,9 @@ final class SaturatingTerm implements ImageTerm {
 			final int at = band[b];
 			final int i = link[at];
 			final double value = brightness[i] * profile.at(distance2[at]);
-			final double residual = pixels[at] - Math.max(others[at], value);
-			sum += robust.price(residual) - robust.price(pixels[at] - others[at]);
-			if (system != null && value > others[at])
+			final double residual = pixels[at] - Math.max(drawn[at], value);
+			sum += robust.price(residual) - robust.price(pixels[at] - drawn[at]);
+			if (system != null && value > drawn[at])
 				addPixel(at, i, x, y, residual, system);
 			distance2[at] = reach * reach;
 		}
@@ -88,8 +98,8 @@ final class SaturatingTerm implements ImageTerm {
 	private void addPixel(final int at, final int i, final double[] x, final double[] y,
 		final double residual, final NodeSystem system) {
 		final double t = along[at];
-		final double dx = at % frame.width() - x[i] - t * (x[i + 1] - x[i]);
-		final double dy = at / frame.width() - y[i] - t * (y[i + 1] - y[i]);
+		final double dx = at % patch.width() + patch.left() - x[i] - t * (x[i + 1] - x[i]);
+		final double dy = at / patch.width() + patch.top() - y[i] - t * (y[i + 1] - y[i]);
 		final double k = -2 * brightness[i] * slope.at(distance2[at]);
 		nodes[0] = i + 1;
 		nodes[1] = i;
@@ -130,12 +140,14 @@ final class SaturatingTerm implements ImageTerm {
 	}
 
 	@Override
-	public void draw(final double[] x, final double[] y, final int links, final double[] picture) {
+	public void draw(final double[] x, final double[] y, final int links, final Patch to,
+		final double[] picture) {
 		findBand(x, y, links);
 		Arrays.fill(picture, 0);
 		for (int b = 0; b < bandSize; b++) {
-			final int at = band[b];
-			picture[at] = brightness[link[at]] * profile.at(distance2[at]);
+			final int at = band[b], there = to.at(at, patch);
+			if (there >= 0)
+				picture[there] = brightness[link[at]] * profile.at(distance2[at]);
 			distance2[at] = reach * reach;
 		}
 	}
@@ -143,7 +155,8 @@ final class SaturatingTerm implements ImageTerm {
 	/** Finds, for every pixel within reach, the nearest link and the place on it. */
 	private void findBand(final double[] x, final double[] y, final int links) {
 		bandSize = 0;
-		for (int i = 0; i < links; i++)
+		look(x, y, links);
+		for (int i = 0; i < links && part.isSomewhere(); i++)
 			visitLink(i, links, x, y);
 	}
 
@@ -160,6 +173,7 @@ final class SaturatingTerm implements ImageTerm {
 		final int lastRow = strip.lastRow();
 		for (int row = strip.firstRow(); row <= lastRow; row++) {
 			final double py = row - ay;
+			final int begin = (row - patch.top()) * patch.width() - patch.left();
 			strip.cut(row);
 			final int lastColumn = strip.lastColumn();
 			for (int column = strip.firstColumn(); column <= lastColumn; column++) {
@@ -167,7 +181,7 @@ final class SaturatingTerm implements ImageTerm {
 				final double s = Math.max(0, Math.min(l, free));
 				final double dx = px - s * ux, dy = py - s * uy;
 				final double beyond = (s == 0 ? isFirst : isLast) ? free - s : 0;
-				visitPixel(row * frame.width() + column, i, s / l,
+				visitPixel(begin + column, i, s / l,
 					dx * dx + dy * dy + END_STRETCH * beyond * beyond);
 			}
 		}

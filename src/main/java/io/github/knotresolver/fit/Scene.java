@@ -122,7 +122,8 @@ public final class Scene {
 		final double[] x = new double[chain.links() + 1], y = new double[chain.links() + 1];
 		here.nodes(x, y);
 		final NormalizedFrame dark = new NormalizedFrame(patch.width(), patch.height(), values);
-		ImageTerm.of(dark, line, chain.links(), values).draw(x, y, chain.links(), values);
+		ImageTerm.of(dark, line, chain.links(), new double[0]).draw(x, y, chain.links(),
+			Patch.of(dark), values);
 		for (int i = 0; i < values.length; i++)
 			values[i] = Math.rint(values[i] / GRAIN) * GRAIN;
 		members.set(k, new Drawn(chain, patch, values));

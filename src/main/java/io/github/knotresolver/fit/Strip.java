@@ -1,15 +1,14 @@
 package io.github.knotresolver.fit;
 
 /**
- * A rectangle along a link, row by row, as far as it is inside a frame: the pixels that
+ * A rectangle along a link, row by row, as far as it is inside a part of a frame: the pixels that
  * can matter for the link, without those in the corners of its bounding box.
  */
 final class Strip {
 
 	private static final double PARALLEL = 1e-9;
 
-	private final int width;
-	private final int height;
+	private Patch part = new Patch(0, 0, 0, 0);
 
 	private double x0;
 	private double y0;
@@ -22,10 +21,9 @@ final class Strip {
 	private double low;
 	private double high;
 
-	/** For frames of a size in pixels. */
-	Strip(final int width, final int height) {
-		this.width = width;
-		this.height = height;
+	/** Strips to come are cut off where this part of a frame ends. */
+	void within(final Patch patch) {
+		part = patch;
 	}
 
 	/**
@@ -52,12 +50,12 @@ final class Strip {
 
 	int firstRow() {
 		final double top = Math.min(begin * uy, end * uy) - reach * Math.abs(ux);
-		return Math.max(0, (int) Math.ceil(y0 + top));
+		return Math.max(part.top(), (int) Math.ceil(y0 + top));
 	}
 
 	int lastRow() {
 		final double bottom = Math.max(begin * uy, end * uy) + reach * Math.abs(ux);
-		return Math.min(height - 1, (int) Math.floor(y0 + bottom));
+		return Math.min(part.top() + part.height() - 1, (int) Math.floor(y0 + bottom));
 	}
 
 	/** Cuts the strip with a row: then first and last column are those of that row. */
@@ -82,11 +80,11 @@ final class Strip {
 	}
 
 	int firstColumn() {
-		return Math.max(0, (int) Math.ceil(x0 + low));
+		return Math.max(part.left(), (int) Math.ceil(x0 + low));
 	}
 
 	/** Before the first column if row and strip do not meet. */
 	int lastColumn() {
-		return Math.min(width - 1, (int) Math.floor(x0 + high));
+		return Math.min(part.left() + part.width() - 1, (int) Math.floor(x0 + high));
 	}
 }

@@ -3,8 +3,8 @@ package io.github.knotresolver.image;
 /** Takes the noise of single pixels from a frame, and some sharpness with it. */
 public final class GaussianBlur {
 
-	/** The kernel ends at so many standard deviations. */
-	private static final double REACH = 4;
+	/** The kernel ends at so many standard deviations, rounded up to a pixel. */
+	public static final double REACH = 4;
 
 	private GaussianBlur() {
 	}

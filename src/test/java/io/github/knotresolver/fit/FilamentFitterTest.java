@@ -53,7 +53,7 @@ class FilamentFitterTest {
 		chain.nodes(x, y);
 		final double[] picture = new double[SIZE * SIZE];
 		ImageTerm.of(new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]), model, LINKS).draw(x,
-			y, LINKS, picture);
+			y, LINKS, new Patch(0, 0, SIZE, SIZE), picture);
 		return new NormalizedFrame(SIZE, SIZE, picture);
 	}
 
