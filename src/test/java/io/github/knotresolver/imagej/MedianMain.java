@@ -20,5 +20,7 @@ public final class MedianMain {
 			filters.rank(frame, 1, RankFilters.MEDIAN);
 		}
 		System.out.println(image.getStackSize() + "×" + image.getWidth() + "×" + image.getHeight());
+		// The threads of ImageJ's filters wait for ever for more to do.
+		System.exit(0);
 	}
 }
