@@ -3,6 +3,7 @@ package io.github.knotresolver.imagej;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 
 import ij.ImagePlus;
@@ -32,6 +33,20 @@ public final class ImageSource implements MovieSource {
 	public static ImageSource of(final Path file) {
 		return new ImageSource(progress -> ImageFile.open(file, progress),
 			Optional.of(file.toAbsolutePath().normalize()));
+	}
+
+	/**
+	 * @param file an image file
+	 * @return the movie in it, opened when it is read first, and kept: it may be read again with other
+	 *         options, by one thread at a time
+	 */
+	public static ImageSource kept(final Path file) {
+		final AtomicReference<ImagePlus> opened = new AtomicReference<>();
+		return new ImageSource(progress -> {
+			if (opened.get() == null)
+				opened.set(ImageFile.open(file, progress));
+			return opened.get();
+		}, Optional.of(file.toAbsolutePath().normalize()));
 	}
 
 	/**

@@ -2,9 +2,14 @@ package io.github.knotresolver.ui;
 
 import java.awt.BorderLayout;
 import java.awt.Window;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
@@ -18,6 +23,7 @@ import ij.gui.Roi;
 import ij.gui.RoiListener;
 import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.imagej.ImageSelection;
+import io.github.knotresolver.imagej.ImageSource;
 import io.github.knotresolver.imagej.form.FormField;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.RunOptions;
@@ -26,25 +32,27 @@ import io.github.knotresolver.ui.model.PreviewModel;
 /**
  * {@code Preview} in a dialog: the frame that the image shows as the program sees it, drawn on the
  * image as long as the dialog is open, in one line of words, and what is to be known of the movie
- * before the work. It follows the values, the image's slider and its selections.
+ * before the work. It follows the values, the image's slider and its selections. Of a movie that is
+ * named as a file, which is read in the background, the words are of its first frame.
  */
 public final class PreviewBox implements FormCompanion, ImageListener, RoiListener {
 
-	private static final String NO_WORDS = " ";
+	private static final String NO_WORDS = " ", IMAGE = "image", MOVIE = "movie";
 
 	private final PreviewModel model = new PreviewModel();
 	private final JCheckBox box = new JCheckBox("Preview");
 	private final Sentences line = new Sentences(), checks = new Sentences();
 	private Optional<LookLayer> layer = Optional.empty();
+	private Optional<ImageSource> file = Optional.empty();
 	private Map<String, String> texts = Map.of();
 	private Runnable resized = () -> {
 	};
 	private boolean closed;
 
-	/** It is on at first, unless the image is larger than memory may be. */
+	/** It is on at first, unless the active image is larger than memory may be. */
 	public PreviewBox() {
 		final ImagePlus image = WindowManager.getCurrentImage();
-		box.setSelected(image != null && !image.getStack().isVirtual());
+		box.setSelected(image == null || !image.getStack().isVirtual());
 		model.listen(() -> SwingUtilities.invokeLater(this::show));
 	}
 
@@ -54,7 +62,7 @@ public final class PreviewBox implements FormCompanion, ImageListener, RoiListen
 		box.setName("preview");
 		box.setMnemonic('P');
 		box.setToolTipText(
-			"Draw mask outline, skeleton and course of the frame that the image shows (Alt-P)");
+			"Draw mask outline, skeleton and course of the frame that the image shows; of a file, say what its first frame shows (Alt-P)");
 		box.addActionListener(e -> ask());
 		line.setName("line");
 		line.show(NO_WORDS);
@@ -74,7 +82,7 @@ public final class PreviewBox implements FormCompanion, ImageListener, RoiListen
 
 	/** The image that is chosen in the dialog; only one that is seen. */
 	private Optional<ImagePlus> image() {
-		final String title = texts.getOrDefault("image", "");
+		final String title = texts.getOrDefault(IMAGE, "");
 		final Optional<ImagePlus> chosen = title.isEmpty()
 			? Optional.ofNullable(WindowManager.getCurrentImage())
 			: FormField.openImage(title);
@@ -88,21 +96,52 @@ public final class PreviewBox implements FormCompanion, ImageListener, RoiListen
 	}
 
 	private void ask() {
-		final Optional<ImagePlus> image = image()
-			.filter(i -> box.isSelected() && !closed && texts.getOrDefault("movie", "").isBlank());
-		if (image.isEmpty()) {
+		final String movie = texts.getOrDefault(MOVIE, "").strip();
+		final Optional<ImagePlus> image = image().filter(i -> movie.isEmpty());
+		if (!box.isSelected() || closed || image.isEmpty() && movie.isEmpty())
 			stop();
-			if (box.isSelected() && !texts.getOrDefault("movie", "").isBlank())
-				say("The preview shows open images; OK opens the file.");
+		else if (movie.isEmpty())
+			ask(image.get());
+		else
+			askFile(movie);
+	}
+
+	private void ask(final ImagePlus image) {
+		if (layer.filter(l -> l.isOf(image)).isEmpty()) {
+			stop();
+			layer = Optional.of(new LookLayer(image));
+		}
+		ask(layer.get().source(), () -> options(image), ImageLink.frame(image));
+	}
+
+	/** Only a file that is there; folders of frames may be large, and are named on the way to a file. */
+	private void askFile(final String name) {
+		final Path path;
+		try {
+			path = Path.of(name).toAbsolutePath().normalize();
+		} catch (final InvalidPathException e) {
+			stop();
+			say("There is no file " + name + ".");
 			return;
 		}
-		if (layer.filter(l -> l.isOf(image.get())).isEmpty()) {
+		if (!Files.isRegularFile(path)) {
 			stop();
-			layer = Optional.of(new LookLayer(image.get()));
+			say(Files.isDirectory(path)
+				? "The preview looks at files and open images; OK opens the folder."
+				: "There is no file " + name + ".");
+			return;
 		}
+		if (file.flatMap(ImageSource::file).filter(path::equals).isEmpty()) {
+			stop();
+			file = Optional.of(ImageSource.kept(path));
+		}
+		ask(file.get(), () -> RunOptions.parse(known()), 1);
+	}
+
+	private void ask(final ImageSource source, final Supplier<RunOptions> options,
+		final int frame) {
 		try {
-			model.ask(new PreviewModel.Question(layer.get().source(), options(image.get()),
-				ImageLink.frame(image.get())));
+			model.ask(new PreviewModel.Question(source, options.get(), frame));
 		} catch (final UserException e) {
 			// A value that is still being typed; OK says what is wrong with it.
 			return;
@@ -110,20 +149,26 @@ public final class PreviewBox implements FormCompanion, ImageListener, RoiListen
 	}
 
 	private RunOptions options(final ImagePlus image) {
-		final Map<String, String> known = new LinkedHashMap<>(texts);
-		known.keySet().retainAll(RunOptions.KEYS);
-		known.remove("threads");
+		final Map<String, String> known = known();
 		// A Z-stack is asked about after OK.
 		if (ImageMovie.isTimeElsewhere(image))
 			known.put("z_as_time", "true");
-		known.remove("corrections");
 		return RunOptions.parse(ImageSelection.over(known, image));
+	}
+
+	/** What decides how frames look. */
+	private Map<String, String> known() {
+		final Map<String, String> known = new LinkedHashMap<>(texts);
+		known.keySet().retainAll(RunOptions.KEYS);
+		known.keySet().removeAll(List.of("threads", "corrections"));
+		return known;
 	}
 
 	private void stop() {
 		model.off();
 		layer.ifPresent(LookLayer::close);
 		layer = Optional.empty();
+		file = Optional.empty();
 		say(NO_WORDS);
 	}
 
@@ -135,11 +180,10 @@ public final class PreviewBox implements FormCompanion, ImageListener, RoiListen
 	private void show() {
 		if (closed)
 			return;
-		layer.ifPresent(l -> {
-			l.show(model.look());
-			if (!model.isWorking() || model.look().isEmpty())
-				say(model.isWorking() ? "Looking ..." : model.line());
-		});
+		layer.ifPresent(l -> l.show(model.look()));
+		if ((layer.isPresent() || file.isPresent())
+			&& (!model.isWorking() || model.look().isEmpty()))
+			say(model.isWorking() ? "Looking ..." : model.line());
 		if (checks.show(model.checks()))
 			resized.run();
 	}
@@ -182,6 +226,7 @@ public final class PreviewBox implements FormCompanion, ImageListener, RoiListen
 		Roi.removeRoiListener(this);
 		layer.ifPresent(LookLayer::close);
 		layer = Optional.empty();
+		file = Optional.empty();
 		model.close();
 	}
 }
