@@ -47,7 +47,7 @@ public class BatchCommand extends KnotCommand {
 	@Parameter(label = "Out (folder)", description = "Gets a result folder for every movie, batch.csv and batch.html", style = FileWidget.DIRECTORY_STYLE, required = false, persist = false)
 	private File out;
 
-	@Parameter(label = "Options", description = "For all movies, as Resolve Filament has them: threshold=0.4 channel=2", required = false, persist = false)
+	@Parameter(label = "Options", description = "For all movies, as Resolve Filament has them: threshold=0.4 channel=2", columns = 26, required = false, persist = false)
 	private String options = "";
 
 	@Parameter(label = "Movies at a time", description = "Most movies at a time; 0 for as many as threads and memory allow", min = "0", required = false, persist = false)

@@ -74,7 +74,7 @@ final class FieldEditor {
 
 	/** @return whether two of these share a row */
 	boolean isNarrow() {
-		return !isFile() && field.kind() != FieldKind.IMAGE;
+		return !isFile() && !field.isLong() && field.kind() != FieldKind.IMAGE;
 	}
 
 	/** @return what it is, what is allowed, and its key */
@@ -98,7 +98,7 @@ final class FieldEditor {
 				return choice(List.of(WindowManager.getImageTitles()),
 					field.text().isEmpty() && active != null ? active.getTitle() : field.text());
 			default :
-				final JTextField text = new JTextField(field.text(), isFile() ? WIDE : NARROW);
+				final JTextField text = new JTextField(field.text(), isNarrow() ? NARROW : WIDE);
 				text.getDocument().addDocumentListener(new Typed());
 				return text;
 		}

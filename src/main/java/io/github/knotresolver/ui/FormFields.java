@@ -1,6 +1,7 @@
 package io.github.knotresolver.ui;
 
 import java.awt.BorderLayout;
+import java.awt.Color;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.FlowLayout;
@@ -37,9 +38,10 @@ import io.github.knotresolver.model.UserException;
 final class FormFields implements ImageListener, AutoCloseable {
 
 	private static final int GAP = 4, COLUMNS = 4;
+	private static final Color LINE = new Color(0x99, 0x99, 0x99);
 
 	/** The open groups take no more than this part of the screen's height. */
-	private static final double SHARE = 0.5;
+	private static final double SHARE = 0.6;
 
 	private final Map<String, FieldEditor> editors = new LinkedHashMap<>();
 	private final Map<FormField, String> defaults = new LinkedHashMap<>();
@@ -211,7 +213,10 @@ final class FormFields implements ImageListener, AutoCloseable {
 		Grid heading(final String words) {
 			final JLabel label = new JLabel(words);
 			label.setFont(label.getFont().deriveFont(Font.BOLD));
-			label.setBorder(BorderFactory.createEmptyBorder(2 * GAP, 0, 0, 0));
+			// In some looks all words are bold: the line tells headings from fields.
+			label.setBorder(BorderFactory.createCompoundBorder(
+				BorderFactory.createEmptyBorder(2 * GAP, 0, GAP / 2, 0),
+				BorderFactory.createMatteBorder(0, 0, 1, 0, LINE)));
 			place(label, 0, COLUMNS, GridBagConstraints.HORIZONTAL);
 			row++;
 			return this;
@@ -259,7 +264,8 @@ final class FormFields implements ImageListener, AutoCloseable {
 			place.anchor = GridBagConstraints.LINE_START;
 			place.weightx = fill == GridBagConstraints.NONE ? 0 : 1;
 			place.insets = new Insets(GAP / 2,
-				column > 0 && fill == GridBagConstraints.NONE ? 12 : 2, GAP / 2, 2);
+				column > 0 && fill == GridBagConstraints.NONE ? 12 : 2, GAP / 2,
+				fill == GridBagConstraints.NONE ? GAP : 2);
 			panel.add(part, place);
 		}
 	}

@@ -1,13 +1,18 @@
 package io.github.knotresolver.command;
 
 import java.awt.Dialog;
+import java.awt.Frame;
 import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.io.File;
 import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
+
+import javax.swing.AbstractButton;
+import javax.swing.JSpinner;
 
 import ij.IJ;
 import ij.ImageJ;
@@ -23,7 +28,13 @@ import ij.plugin.frame.RoiManager;
  */
 final class ScreenshotsMain {
 
-	private static final String RESOLVE = "Resolve Filament...";
+	private static final String RESOLVE = "Resolve Filament...", TUNE = "Tune Segmentation...",
+		OK = "OK", CANCEL = "Cancel";
+
+	/** A frame of the sample in which the filament crosses itself. */
+	private static final int KNOTTED = 13;
+	private static final int STRIP_MILLIS = 8000;
+	private static final double TUNED_THRESHOLD = 0.4, MAGNIFIED = 6;
 
 	private final File folder;
 	private final Hand hand;
@@ -51,19 +62,19 @@ final class ScreenshotsMain {
 		noImage();
 		IJ.run("Knotted Filament");
 		final ImagePlus image = WindowManager.getCurrentImage();
-		image.getWindow().setLocation(20, 160);
-		for (int i = 0; i < 5; i++)
-			image.getCanvas().zoomIn(0, 0);
+		image.getWindow().setLocation(20, 130);
+		while (image.getCanvas().getMagnification() > MAGNIFIED)
+			image.getCanvas().zoomOut(0, 0);
+		preview(image);
+		tune(image);
 		IJ.run("Record...");
-		dialog(RESOLVE, "resolve-dialog.png", "Cancel");
 		wrongValue();
 		escape(image);
 		final String line = resolve(image);
 		replay(image, line);
 		for (final String command : List.of("Measure Contours...", "Batch...", "Simulate Movie...",
 			"Evaluate Against Ground Truth..."))
-			dialog(command, command.split("[ .]")[0].toLowerCase(Locale.ROOT) + "-dialog.png",
-				"Cancel");
+			dialog(command, command.split("[ .]")[0].toLowerCase(Locale.ROOT) + "-dialog.png");
 	}
 
 	private void menu(final ImageJ imagej) throws Exception {
@@ -76,28 +87,66 @@ final class ScreenshotsMain {
 			hand.key(key);
 			pause();
 		}
-		capture("menu.png", new Rectangle(0, 0, 930, 320));
+		capture("menu.png", new Rectangle(0, 0, 930, 420));
 		for (int i = 0; i < 4; i++)
 			hand.key(KeyEvent.VK_ESCAPE);
 	}
 
 	private void noImage() throws Exception {
 		Windows.start(RESOLVE);
-		Windows.press(Windows.dialog(RESOLVE), "  OK  ");
+		Windows.press(Windows.dialog(RESOLVE), OK);
 		expect("There is no image open");
+	}
+
+	private void preview(final ImagePlus image) throws Exception {
+		image.setSlice(KNOTTED);
+		Windows.start(RESOLVE);
+		final Dialog dialog = Windows.dialog(RESOLVE, "frame " + KNOTTED + ": 1 filament");
+		dialog.setLocation(image.getWindow().getX() + image.getWindow().getWidth() + 10,
+			image.getWindow().getY());
+		Windows.await("overlay", () -> image.getOverlay() != null);
+		front(dialog);
+		capture("resolve-dialog.png", dialog.getBounds().union(image.getWindow().getBounds()));
+		Windows.onEvents(((AbstractButton) Windows.find(dialog, "Advanced"))::doClick);
+		Windows.await("advanced", () -> Windows.find(dialog, "threshold").isShowing());
+		front(dialog);
+		capture("resolve-advanced.png", dialog.getBounds());
+		Windows.press(dialog, CANCEL);
+		Windows.await("end", () -> !dialog.isShowing() && image.getOverlay() == null);
+	}
+
+	private void tune(final ImagePlus image) throws Exception {
+		Windows.start(TUNE);
+		Windows.press(Windows.dialog(TUNE), OK);
+		final Frame window = Windows.frame("Tune " + image.getTitle());
+		window.setLocation(image.getWindow().getX(),
+			image.getWindow().getY() + image.getWindow().getHeight() + 10);
+		Windows.await("mask", () -> image.getOverlay() != null);
+		Windows.onEvents(
+			() -> ((JSpinner) Windows.find(window, "threshold")).setValue(TUNED_THRESHOLD));
+		Windows.await("words",
+			() -> Windows.text(window).contains("frame " + KNOTTED + ": ") && image.getOverlay() != null);
+		front(window);
+		// The strip fills from the present frame outwards.
+		Thread.sleep(STRIP_MILLIS);
+		capture("tune.png", window.getBounds().union(image.getWindow().getBounds()));
+		Windows.press(window, "Close");
+		Windows.await("end", () -> !window.isShowing() && image.getOverlay() == null);
 	}
 
 	private void wrongValue() throws Exception {
 		Windows.start(RESOLVE);
 		final Dialog dialog = Windows.dialog(RESOLVE);
 		Windows.type(dialog, "Threshold", "1.5");
-		Windows.press(dialog, "  OK  ");
-		expect("threshold must be a number from 0 to 1");
+		Windows.press(dialog, OK);
+		Windows.dialog(RESOLVE, "threshold must be a number from 0 to 1");
+		Windows.press(dialog, CANCEL);
+		Windows.await("end", () -> !dialog.isShowing());
 	}
 
 	private void escape(final ImagePlus image) throws Exception {
 		Windows.start(RESOLVE);
-		Windows.press(Windows.dialog(RESOLVE), "  OK  ");
+		Windows.press(Windows.dialog(RESOLVE), OK);
 		pause();
 		image.getWindow().toFront();
 		image.getCanvas().requestFocus();
@@ -109,16 +158,18 @@ final class ScreenshotsMain {
 
 	private String resolve(final ImagePlus image) throws Exception {
 		Windows.start(RESOLVE);
-		Windows.press(Windows.dialog(RESOLVE), "  OK  ");
+		Windows.press(Windows.dialog(RESOLVE), OK);
 		Windows.await("overlay", () -> image.getOverlay() != null);
 		Windows.await("tables",
 			() -> WindowManager.getWindow(image.getTitle() + "-frames") != null);
 		Thread.sleep(1500);
-		place(image.getTitle() + "-contours", 620, 560, 700, 430);
-		place(image.getTitle() + "-frames", 620, 285, 700, 270);
-		place("ROI Manager", 1100, 20, 230, 260);
-		place("Log", 20, 710, 580, 180);
-		place("Recorder", 20, 555, 580, 150);
+		place(image.getTitle() + "-filaments", 850, 20, 580, 110);
+		place(image.getTitle() + "-frames", 850, 150, 580, 300);
+		place(image.getTitle() + "-contours", 850, 470, 580, 500);
+		place("Log", 20, 650, 570, 150);
+		place("Recorder", 20, 820, 570, 150);
+		place("ROI Manager", 605, 650, 230, 220);
+		Windows.frame("Resolved " + image.getTitle()).setLocation(110, 530);
 		Thread.sleep(1000);
 		capture("result.png", new Rectangle(0, 0, 1440, 1000));
 		if (RoiManager.getRoiManager().getCount() == 0)
@@ -142,18 +193,22 @@ final class ScreenshotsMain {
 		WindowManager.getWindow(title).setBounds(x, y, width, height);
 	}
 
-	private void dialog(final String command, final String picture, final String button)
-		throws Exception {
+	private void dialog(final String command, final String picture) throws Exception {
 		Windows.start(command);
 		final Dialog dialog = Windows.dialog(command);
-		pause();
+		front(dialog);
 		capture(picture, dialog.getBounds());
-		Windows.press(dialog, button);
-		pause();
+		Windows.press(dialog, CANCEL);
+		Windows.await("end", () -> !dialog.isShowing());
 	}
 
 	private static void expect(final String sentence) throws Exception {
 		System.out.println("Message: " + Windows.message(sentence));
+	}
+
+	private void front(final Window window) throws Exception {
+		Windows.onEvents(window::toFront);
+		pause();
 	}
 
 	private void pause() throws InterruptedException {

@@ -26,6 +26,9 @@ public final class FormField {
 	/** The attribute of a {@code @Parameter} that has a key of its own. */
 	public static final String KEY = "key";
 
+	/** Characters of a field, where a parameter says nothing else. */
+	private static final int USUAL = 8;
+
 	private final Object command;
 	private final Field field;
 	private final Parameter parameter;
@@ -63,6 +66,11 @@ public final class FormField {
 	/** @return more words about it; may be empty */
 	public String description() {
 		return parameter.description();
+	}
+
+	/** @return whether it takes a line of words, more than the few characters that are usual */
+	public boolean isLong() {
+		return kind == FieldKind.TEXT && parameter.columns() > USUAL;
 	}
 
 	/** @return what kind of value it takes */
