@@ -107,6 +107,15 @@ record ScenePass(int start, List<List<Chain>> chains) {
 		return clear;
 	}
 
+	/** Whether no light of another filament falls on one in a frame. */
+	boolean isAlone(final int k, final int t, final SceneLine line) {
+		final Scene scene = new Scene(line.frames().get(t).light(), line.tables(), chains.get(t));
+		for (int other = 0; other < scene.size(); other++)
+			if (other != k && scene.mayTouch(k, other))
+				return false;
+		return true;
+	}
+
 	/** The filament one of whose ends is usually nearest to a place; -1 if none is near. */
 	int endingAt(final Point place) {
 		double nearest = NEAR;

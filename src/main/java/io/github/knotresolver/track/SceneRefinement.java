@@ -12,9 +12,9 @@ import io.github.knotresolver.track.SceneSettler.Settled;
 
 /**
  * What tracking alone leaves unclear is tried again with what is made for one clamped
- * filament ({@link ClampedAgain}): first each clamped filament, then, if that leaves light
- * unexplained, all that moves as one filament beside what lies still. Kept where the movie
- * becomes cheaper.
+ * filament: a clamped one ({@link ClampedAgain}), or a free one that crosses itself ({@link
+ * FreeAgain}); then, if that leaves light unexplained, all that moves as one filament beside what
+ * lies still. Kept where the movie becomes cheaper.
  */
 final class SceneRefinement {
 
@@ -52,7 +52,7 @@ final class SceneRefinement {
 				progress.checkCancelled();
 				if (!unclear[k])
 					continue;
-				final List<Settled> next = followedAgain(filaments, k);
+				final List<Settled> next = followedAgain(filaments, k, round == 0);
 				if (next != filaments)
 					unclear = unclear(next);
 				filaments = next;
@@ -76,13 +76,27 @@ final class SceneRefinement {
 		return unclear;
 	}
 
-	private List<Settled> followedAgain(final List<Settled> filaments, final int k) {
+	private List<Settled> followedAgain(final List<Settled> filaments, final int k,
+		final boolean first) {
 		final ScenePass pass = ScenePass.of(filaments);
 		final FilamentEnds ends = FilamentEnds.of(pass.filament(k), AnchorChoice.AUTO);
 		if (!ends.clamped())
-			return filaments;
+			return first ? freeAgain(filaments, pass, k) : filaments;
 		return again.follow(pass, k, FilamentEnds.place(pass.filament(k), ends.reversed()))
 			.map(s -> cheaper(filaments, filaments, k, s)).orElse(filaments);
+	}
+
+	/** A free filament that is unclear where no other one is: it crosses itself. */
+	private List<Settled> freeAgain(final List<Settled> filaments, final ScenePass pass,
+		final int k) {
+		final boolean[] clear = pass.clear(line, workers)[k];
+		int byItself = 0;
+		for (int t = 0; t < clear.length; t++)
+			byItself += !clear[t] && pass.isAlone(k, t, line) ? 1 : 0;
+		return byItself <= SOME * clear.length
+			? filaments
+			: new FreeAgain(line, workers, progress).follow(pass, k, clear)
+				.map(s -> cheaper(filaments, filaments, k, s)).orElse(filaments);
 	}
 
 	/** One clamped filament instead of all that moves. */

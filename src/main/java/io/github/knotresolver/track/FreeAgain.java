@@ -1,0 +1,119 @@
+
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.track.Pursuit.Course;
+import io.github.knotresolver.track.SceneSettler.Settled;
+
+/**
+ * A free filament that is followed again from where it is seen clearly for longest, with several
+ * hypotheses ({@link Pursuit}), as one that bends more than usual: so it is followed into and out
+ * of a knot of its own.
+ */
+final class FreeAgain {
+
+	/** It must be clear in so many frames on end. */
+	private static final int FEWEST = 10;
+
+	/** Where it becomes unclear it may have been wrong so many frames before. */
+	private static final int BACK = 4;
+
+	/** Length of a link in pixels: it can turn around within a line's width. */
+	private static final double LINK = 1.5;
+
+	private final SceneLine line;
+	private final Workers workers;
+	private final Progress progress;
+
+	FreeAgain(final SceneLine line, final Workers workers, final Progress progress) {
+		this.line = line;
+		this.workers = workers;
+		this.progress = progress;
+	}
+
+	/**
+	 * Follows a filament again. Time O(frames).
+	 *
+	 * @param pass all filaments
+	 * @param k which one
+	 * @param clear for each frame whether the light around it is explained
+	 * @return its chains in all frames; empty if it is never clear for long enough
+	 */
+	Optional<Settled> follow(final ScenePass pass, final int k, final boolean[] clear) {
+		final int[] run = longest(clear);
+		if (run[1] - run[0] < FEWEST)
+			return Optional.empty();
+		final int n = pass.chains().size();
+		final List<Chain> chains = new ArrayList<>(Collections.nCopies(n, null));
+		final double[] gap = new double[n];
+		Arrays.fill(gap, Double.POSITIVE_INFINITY);
+		for (int t = run[0]; t < run[1]; t++)
+			chains.set(t, supple(pass.chains().get(t).get(k)));
+		pursue(pass, k, new int[]{run[1] - BACK, 1}, chains, gap);
+		pursue(pass, k, new int[]{run[0] + BACK - 1, -1}, chains, gap);
+		return Optional.of(new Settled(chains, gap, Double.NaN));
+	}
+
+	private static Chain supple(final Chain chain) {
+		return chain.divided(Math.max(chain.links(), (int) Math.rint(chain.length() / LINK)));
+	}
+
+	/** First and last plus one of the longest run of set frames. */
+	private static int[] longest(final boolean[] set) {
+		int[] best = {0, 0};
+		int from = 0;
+		for (int t = 0; t <= set.length; t++)
+			if (t == set.length || !set[t]) {
+				if (t - from > best[1] - best[0])
+					best = new int[]{from, t};
+				from = t + 1;
+			}
+		return best;
+	}
+
+	/**
+	 * Goes on from a frame in one direction of time.
+	 *
+	 * @param way the frame, and 1 or -1
+	 */
+	private void pursue(final ScenePass pass, final int k, final int[] way,
+		final List<Chain> chains, final double[] gap) {
+		final int start = way[0], step = way[1], n = chains.size();
+		if (start + step < 0 || start + step >= n)
+			return;
+		final Pursuit pursuit = new Pursuit(line, SceneWeights.SUPPLE, pass, k);
+		List<Course> courses = List.of(new Course(chains.get(start), 0,
+			new Course(chains.get(start - step), 0, null)));
+		int end = start;
+		for (int t = start + step; t >= 0 && t < n; t += step) {
+			progress.checkCancelled();
+			courses = pursuit.next(courses, t, workers);
+			end = t;
+		}
+		final Course best = courses.get(0);
+		Course at = best;
+		for (int t = end; t != start; t -= step) {
+			chains.set(t, at.chain());
+			at = at.before();
+		}
+		for (final Course other : courses) {
+			Course a = best, b = other;
+			for (int t = end; t != start; t -= step) {
+				if (a.chain().farthest(b.chain()) > Hypotheses.VISIBLE)
+					gap[t] = Math.min(gap[t], other.sum() - best.sum());
+				a = a.before();
+				b = b.before();
+			}
+		}
+		for (int t = end; t != start; t -= step)
+			gap[t] = Math.min(gap[t], Pursuit.MARGIN);
+	}
+}

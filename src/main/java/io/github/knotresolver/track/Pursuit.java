@@ -1,0 +1,161 @@
+
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.Fit;
+import io.github.knotresolver.fit.FitSettings;
+import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.fit.SceneWindow;
+import io.github.knotresolver.progress.Workers;
+
+/**
+ * Follows one filament from frame to frame, in one direction of time, with several hypotheses:
+ * where its leading end goes is often open for some frames, and the frames after them tell. The
+ * rest of a glider is where it was, a little farther along its own track, however tightly it is
+ * wound up. The other filaments are drawn as they are known.
+ */
+final class Pursuit {
+
+	/** A glider may be faster or slower by so much from frame to frame (pixels). */
+	private static final double[] CHANGES = {0, -1, 1, -2, 2};
+
+	/** An end that turns may be so much farther than it seems (pixels). */
+	private static final double[] AHEAD = {0, 1.5, 3};
+
+	/** What slides less than this (pixels) may turn at either end. */
+	private static final double SLOW = 0.5;
+
+	/** Lengths of ends that are grown anew (links). */
+	private static final int[] TIPS = {2, 4, 8};
+
+	/** An end that is grown anew is fitted if it is not dearer by more than this (strands squared). */
+	private static final double PROMISING = 6;
+
+	/** So many of them are fitted. */
+	private static final int FITTED = 6;
+
+	/** At most so many hypotheses are carried on, none that is dearer by more than this. */
+	private static final int MOST = 24;
+	static final double MARGIN = 12;
+
+	/** Hypotheses that are nowhere farther from each other (pixels) are one. */
+	private static final double SAME = 1.5;
+
+	private final SceneLine line;
+	private final FitSettings rigid;
+	private final FitSettings loose;
+	private final ScenePass pass;
+	private final int filament;
+
+	/**
+	 * A course up to a frame.
+	 *
+	 * @param chain the filament there
+	 * @param sum what the course costs
+	 * @param before the course up to the frame before; null in the first one
+	 */
+	record Course(Chain chain, double sum, Course before) {
+	}
+
+	/**
+	 * @param line what a line looks like, and the frames
+	 * @param weights of the fit
+	 * @param pass all filaments
+	 * @param filament the one that is followed
+	 */
+	Pursuit(final SceneLine line, final SceneWeights weights, final ScenePass pass,
+		final int filament) {
+		this.line = line;
+		rigid = weights.predicted();
+		loose = weights.searched();
+		this.pass = pass;
+		this.filament = filament;
+	}
+
+	/**
+	 * The courses that go on to a frame, the cheapest first; O(courses).
+	 *
+	 * @param courses those up to the frame before, at least one
+	 * @param t index of the frame
+	 */
+	List<Course> next(final List<Course> courses, final int t, final Workers workers) {
+		final List<Course> all = new ArrayList<>();
+		workers.map(courses.size(), i -> following(courses.get(i), t)).forEach(all::addAll);
+		all.sort(Comparator.comparingDouble(Course::sum));
+		final List<Course> kept = new ArrayList<>();
+		for (final Course c : all)
+			if (kept.size() < MOST && c.sum <= all.get(0).sum + MARGIN
+				&& kept.stream().noneMatch(k -> k.chain.farthest(c.chain) < SAME))
+				kept.add(c);
+		return kept;
+	}
+
+	private List<Course> following(final Course course, final int t) {
+		final List<Chain> others = new ArrayList<>(pass.chains().get(t));
+		others.remove(filament);
+		final Scene scene = new Scene(line.frames().get(t).light(), line.tables(), others);
+		final List<Chain> predictions = predictions(course);
+		final SceneWindow window = scene.window(predictions);
+		Chain expected = predictions.get(0);
+		double lowest = Double.POSITIVE_INFINITY;
+		for (final Chain p : predictions) {
+			final double energy = window.price(p, loose).energy();
+			if (energy < lowest) {
+				lowest = energy;
+				expected = p;
+			}
+		}
+		final List<Course> found = new ArrayList<>();
+		final Fit first = window.fit(expected, Optional.of(expected), rigid);
+		final Fit usual = window.fit(first.chain(), Optional.of(expected), loose);
+		found.add(course(course, usual, expected));
+		for (final Chain turned : turned(window, course, expected, usual.energy()))
+			found.add(course(course, window.fit(turned, Optional.of(turned), loose), turned));
+		return found;
+	}
+
+	private Course course(final Course before, final Fit fit, final Chain expected) {
+		return new Course(fit.chain(),
+			before.sum + fit.energy()
+				+ loose.memory() * expected.length() * fit.chain().squaredTurn(expected),
+			before);
+	}
+
+	private static List<Chain> predictions(final Course course) {
+		final Chain here = course.chain;
+		final List<Chain> all = new ArrayList<>(List.of(here));
+		final double speed = speed(course);
+		if (course.before != null)
+			all.add(here.continued(course.before.chain));
+		for (final double by : CHANGES)
+			all.add(here.slid(speed + by));
+		return all;
+	}
+
+	private static double speed(final Course course) {
+		return course.before == null ? 0 : course.before.chain.slide(course.chain);
+	}
+
+	/** The filament with its leading end grown anew, in the most promising ways. */
+	private List<Chain> turned(final SceneWindow window, final Course course, final Chain expected,
+		final double usual) {
+		final double speed = speed(course);
+		final List<Fit> promising = new ArrayList<>();
+		for (final double by : AHEAD)
+			for (final int tip : TIPS) {
+				if (speed > -SLOW)
+					for (final Chain c : window.regrown(expected.slid(by), tip, loose))
+						promising.add(window.price(c, loose));
+				if (speed < SLOW)
+					for (final Chain c : window.regrown(expected.slid(-by).reversed(), tip, loose))
+						promising.add(window.price(c.reversed(), loose));
+			}
+		return promising.stream().filter(f -> f.energy() < usual + PROMISING)
+			.sorted(Comparator.comparingDouble(Fit::energy)).limit(FITTED).map(Fit::chain).toList();
+	}
+}
