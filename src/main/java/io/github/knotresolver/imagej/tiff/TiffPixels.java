@@ -10,7 +10,7 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 
 import com.twelvemonkeys.imageio.plugins.tiff.TIFFImageReaderSpi;
-import com.twelvemonkeys.imageio.stream.BufferedFileImageInputStream;
+import com.twelvemonkeys.imageio.stream.BufferedFileImageInputStreamSpi;
 
 import ij.ImageStack;
 import ij.process.ByteProcessor;
@@ -72,7 +72,8 @@ final class TiffPixels {
 	ImageStack read(final List<Integer> frames, final Progress progress) throws IOException {
 		final ImageStack stack = new ImageStack((int) page.width(), (int) page.height());
 		final ImageReader reader = new TIFFImageReaderSpi().createReaderInstance(null);
-		try (ImageInputStream in = new BufferedFileImageInputStream(path.toFile())) {
+		try (ImageInputStream in = new BufferedFileImageInputStreamSpi()
+			.createInputStreamInstance(path.toFile(), false, null)) {
 			reader.setInput(in);
 			for (final int i : frames) {
 				progress.checkCancelled();
