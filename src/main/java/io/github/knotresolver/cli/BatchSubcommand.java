@@ -20,7 +20,7 @@ import io.github.knotresolver.io.MovieFolder;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.session.Engine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;

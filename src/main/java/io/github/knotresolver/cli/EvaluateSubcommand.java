@@ -17,7 +17,7 @@ import io.github.knotresolver.io.Scores;
 import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.session.Engine;
 import io.github.knotresolver.run.LikeRun;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -137,8 +137,8 @@ final class EvaluateSubcommand implements Callable<Integer> {
 	}
 
 	private LikeStudy study() throws IOException {
-		return Usage.of(spec, () -> LikeRun
-			.study(LikeRun.source(like, movie, ImageSource::of, progress), engine, progress));
+		return Usage.of(spec, () -> new LikeStudy(
+			LikeRun.source(like, movie, ImageSource::of, progress), engine, progress));
 	}
 
 	private LikeResult scores(final LikeStudy study, final int count) {

@@ -12,7 +12,7 @@ import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.OptionText;
 import io.github.knotresolver.progress.Cancellation;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.session.Engine;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;

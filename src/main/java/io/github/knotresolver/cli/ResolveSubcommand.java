@@ -12,7 +12,7 @@ import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.session.Engine;
 import io.github.knotresolver.run.Outcome;
 import io.github.knotresolver.run.ResolveRun;
 import picocli.CommandLine.Command;

@@ -30,7 +30,7 @@ import io.github.knotresolver.io.MovieFolder;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.session.Engine;
 import io.github.knotresolver.ui.BatchWindow;
 import io.github.knotresolver.ui.model.BatchTable;
 

@@ -27,7 +27,7 @@ import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.measure.MeasuredFilament;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.session.Engine;
 import io.github.knotresolver.run.LikeRun;
 
 /**
@@ -132,7 +132,7 @@ public class EvaluateCommand extends KnotCommand {
 	}
 
 	private LikeStudy study(final Path original, final Progress progress) {
-		return LikeRun.study(LikeRun.source(like.toPath(), original, ImageSource::of, progress),
+		return new LikeStudy(LikeRun.source(like.toPath(), original, ImageSource::of, progress),
 			Engine.PIPELINE, progress);
 	}
 

@@ -14,7 +14,7 @@ import io.github.knotresolver.io.BatchOutcome;
 import io.github.knotresolver.io.BatchRow;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.session.Engine;
 
 /**
  * Many movies, as many at a time as threads and memory allow, each with its own result folder: the

@@ -51,6 +51,22 @@ public interface Progress {
 	default void sighted(final int frame, final List<Polyline> contours) {
 	}
 
+	/** @return listens to nothing, but cancels when this does: for one of many parts of a work */
+	default Progress silent() {
+		final Progress whole = this;
+		return new Progress() {
+
+			@Override
+			public void report(final String stage, final double fraction) {
+			}
+
+			@Override
+			public boolean isCancelled() {
+				return whole.isCancelled();
+			}
+		};
+	}
+
 	/** @return whether the user asked to stop */
 	boolean isCancelled();
 

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.function.Function;
 
 import io.github.knotresolver.evaluate.like.LikeSource;
-import io.github.knotresolver.evaluate.like.LikeStudy;
 import io.github.knotresolver.io.ResolvedRun;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
@@ -53,18 +52,5 @@ public final class LikeRun {
 		} catch (final UserException e) {
 			throw new UserException("movie cannot be used: " + e.getMessage(), e);
 		}
-	}
-
-	/**
-	 * @param source a result and its movie
-	 * @param engine what resolves the simulated movies
-	 * @param progress may cancel
-	 * @return the study, to be run
-	 * @throws UserException if the movie shows no line along the
-	 *           contours, in one sentence
-	 */
-	public static LikeStudy study(final LikeSource source, final Engine engine,
-		final Progress progress) {
-		return new LikeStudy(source, engine::resolve, progress);
 	}
 }

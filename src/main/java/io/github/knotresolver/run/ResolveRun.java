@@ -16,6 +16,7 @@ import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.session.Engine;
 import io.github.knotresolver.session.FrameChoice;
 
 /**

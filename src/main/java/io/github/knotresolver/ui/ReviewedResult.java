@@ -27,7 +27,7 @@ import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.session.Engine;
 import io.github.knotresolver.run.ResolveRun;
 import io.github.knotresolver.session.Session;
 import io.github.knotresolver.ui.model.ReviewModel;

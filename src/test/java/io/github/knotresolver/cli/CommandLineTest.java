@@ -30,7 +30,7 @@ import io.github.knotresolver.imagej.TestImages;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.session.Engine;
 
 /** What a user types, and what comes of it. */
 class CommandLineTest {

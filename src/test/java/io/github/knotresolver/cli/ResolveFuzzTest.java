@@ -28,7 +28,7 @@ import io.github.knotresolver.fuzz.Fuzzing;
 import io.github.knotresolver.fuzz.Guard;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.session.Engine;
 
 /**
  * The whole of {@code resolve}: small movies of all kinds with odd options and damaged bytes end in

@@ -21,7 +21,7 @@ import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.session.Engine;
 
 /**
  * The command line in a process of its own, with an engine that reads contours

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 import io.github.knotresolver.imagej.TestImages;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.session.Engine;
 
 /** No subcommand replaces what it reads, or anything unasked. */
 class UsersFilesTest {

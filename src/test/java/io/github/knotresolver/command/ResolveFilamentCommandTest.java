@@ -54,7 +54,7 @@ import io.github.knotresolver.options.ResolveOptions;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.run.Engine;
+import io.github.knotresolver.session.Engine;
 
 /** The Command as scripts call it. */
 class ResolveFilamentCommandTest {

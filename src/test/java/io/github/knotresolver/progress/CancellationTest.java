@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 
@@ -29,7 +30,7 @@ import io.github.knotresolver.measure.DominantFrequency;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.options.InputOptions;
-import io.github.knotresolver.session.FilamentResolver;
+import io.github.knotresolver.session.Session;
 import io.github.knotresolver.skeleton.Skeletonize;
 
 /** Whatever takes long asks, again and again, whether to stop; counted in questions, not in time. */
@@ -88,7 +89,7 @@ class CancellationTest {
 		final Stop stop = new Stop(at);
 		final Settings settings = Settings.DEFAULT.edit().threads(threads).build();
 		assertThrows(CancelledException.class,
-			() -> new FilamentResolver(settings).resolve(movie, stop));
+			() -> new Session(movie, settings).solve(List.of(), stop));
 		// Tasks that were waiting ask once before they begin.
 		assertTrue(stop.questions.get() <= at + 1 + threads + movie.size(),
 			"asked " + stop.questions + " times, cancelled at " + at);

@@ -17,7 +17,7 @@ import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.session.FilamentResolver;
+import io.github.knotresolver.session.Session;
 import io.github.knotresolver.session.FrameSkeletons;
 import io.github.knotresolver.simulate.SimulatedMovie;
 
@@ -80,7 +80,7 @@ final class Trial {
 	/** What the pipeline finds; if it refuses the movie, nothing in any frame. */
 	private List<Observation> frames(final Settings parameters) {
 		try {
-			return new FilamentResolver(parameters).resolve(movie.movie(), Progress.NONE).only()
+			return new Session(movie.movie(), parameters).solve(List.of(), Progress.NONE).only()
 				.frames();
 		} catch (final UserException e) {
 			System.err.println(method.label() + " on " + series + ": " + e.getMessage());

@@ -85,7 +85,7 @@ public final class BenchmarkMain {
 	private static Tracks resolve(final Movie movie, final Map<String, String> options) {
 		final Settings parameters = RunOptions.parse(options).parameters(movie);
 		try {
-			return new FilamentResolver(parameters).resolve(movie, Progress.NONE);
+			return new Session(movie, parameters).solve(List.of(), Progress.NONE);
 		} catch (final UserException e) {
 			final List<Observation> none = IntStream.rangeClosed(1, movie.size())
 				.mapToObj(f -> Observation.without(f, FrameStatus.LOST, e.getMessage())).toList();

@@ -54,8 +54,7 @@ class FrameSkeletonsTest {
 	@ParameterizedTest
 	@ValueSource(strings = {"threshold", "active-contour"})
 	void baselinesRunThroughThePipeline(final String steps) {
-		final Tracks result = new FilamentResolver(parameters(drawn.movie(), steps))
-			.resolve(drawn.movie(), Progress.NONE);
+		final Tracks result = new Session(drawn.movie(), parameters(drawn.movie(), steps)).solve(List.of(), Progress.NONE);
 		assertEquals(FRAMES, result.resolved());
 	}
 

@@ -41,8 +41,7 @@ class RealMoviesTest {
 		final double lengthVariation) {
 		final Path file = DATA.resolve(name + ".tif");
 		assumeTrue(Files.exists(file), "Not here: " + file);
-		final Tracks tracks = new FilamentResolver(Settings.DEFAULT)
-			.resolve(ImageMovie.of(ImageFile.open(file), InputOptions.DEFAULT), Progress.NONE);
+		final Tracks tracks = new Session(ImageMovie.of(ImageFile.open(file), InputOptions.DEFAULT), Settings.DEFAULT).solve(List.of(), Progress.NONE);
 		final Consistency consistency = Consistency.of(tracks.only().frames());
 		assertAll(name, () -> assertEquals(frames, tracks.resolved(), "frames with a contour"),
 			() -> assertEquals(List.of(), consistency.off(), "frames of another length"),

@@ -1,6 +1,7 @@
 package io.github.knotresolver.session;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 import org.openjdk.jmh.annotations.Benchmark;
@@ -56,6 +57,6 @@ public class ResolveBenchmark {
 	/** All frames, with nothing told. */
 	@Benchmark
 	public Tracks resolve() {
-		return new FilamentResolver(Settings.DEFAULT).resolve(frames, Progress.NONE);
+		return new Session(frames, Settings.DEFAULT).solve(List.of(), Progress.NONE);
 	}
 }

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -73,7 +74,7 @@ class SampleTest {
 		final Movie movie = ImageMovie.of(SampleMovie.open(), InputOptions.DEFAULT);
 		final Settings parameters = RunOptions.parse(Map.of("threads", "" + threads))
 			.parameters(movie);
-		return new FilamentResolver(parameters).resolve(movie, Progress.NONE);
+		return new Session(movie, parameters).solve(List.of(), Progress.NONE);
 	}
 
 	private SortedMap<Integer, Polyline> truth() throws IOException {

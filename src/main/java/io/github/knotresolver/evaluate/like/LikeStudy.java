@@ -17,10 +17,10 @@ import io.github.knotresolver.model.FilamentChoice;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
-import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.session.Engine;
 import io.github.knotresolver.simulate.Canvas;
 import io.github.knotresolver.simulate.FilamentSimulator;
 import io.github.knotresolver.simulate.SimulatedMovie;
@@ -43,20 +43,6 @@ public final class LikeStudy {
 
 	/** The filament's light ends this many widths from its middle. */
 	private static final double REACH = 1.5;
-
-	/** What turns a movie into a result. */
-	@FunctionalInterface
-	public interface Engine {
-
-		/**
-		 * @param movie the movie
-		 * @param parameters what decides the result
-		 * @param progress may cancel
-		 * @return the result
-		 * @throws UserException if no filament is found
-		 */
-		Tracks resolve(Movie movie, Settings parameters, Progress progress);
-	}
 
 	private final LikeSource source;
 	private final Engine engine;
@@ -117,7 +103,7 @@ public final class LikeStudy {
 		final Progress progress) {
 		try (Workers workers = new Workers(source.parameters().threads())) {
 			final List<LikeMovie> done = workers.map("Simulating and resolving", progress, movies,
-				i -> one(like, seed + 1 + i, new CancelOnly(progress)));
+				i -> one(like, seed + 1 + i, progress.silent()));
 			return new LikeResult(source, like, traits(), done, seed);
 		}
 	}

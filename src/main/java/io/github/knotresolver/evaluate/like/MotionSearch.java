@@ -105,7 +105,7 @@ final class MotionSearch {
 	LikeMotion search(final long seed, final Workers workers, final Progress progress) {
 		return workers
 			.map("Searching for the motion", progress, DENSITIES.length,
-				i -> best(DENSITIES[i], seed, new CancelOnly(progress)))
+				i -> best(DENSITIES[i], seed, progress.silent()))
 			.stream().min(Comparator.comparingDouble(Reading::unlike)).orElseThrow().motion();
 	}
 

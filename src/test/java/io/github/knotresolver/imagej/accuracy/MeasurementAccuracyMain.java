@@ -26,7 +26,7 @@ import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.session.FilamentResolver;
+import io.github.knotresolver.session.Session;
 import io.github.knotresolver.simulate.FilamentProperties;
 import io.github.knotresolver.simulate.FilamentSimulator;
 import io.github.knotresolver.simulate.MediumProperties;
@@ -118,8 +118,7 @@ public final class MeasurementAccuracyMain {
 	}
 
 	private static MeasuredTracks measured(final Movie movie) {
-		return MeasuredTracks.of(new FilamentResolver(RunOptions.parse(Map.of()).parameters(movie))
-			.resolve(movie, Progress.NONE), Progress.NONE);
+		return MeasuredTracks.of(new Session(movie, RunOptions.parse(Map.of()).parameters(movie)).solve(List.of(), Progress.NONE), Progress.NONE);
 	}
 
 	private void oscillations(final int filaments) {

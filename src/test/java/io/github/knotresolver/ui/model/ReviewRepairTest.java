@@ -25,7 +25,6 @@ import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.session.FilamentResolver;
 import io.github.knotresolver.session.Session;
 
 /** A review of a true result: a drawn movie of a knotted filament. */
@@ -118,9 +117,7 @@ class ReviewRepairTest {
 		final Tracks reviewed = model.atRest();
 		CorrectionsCsv.write(file, model.said());
 		assertEquals(model.said(), CorrectionsCsv.read(file));
-		final Tracks run = new FilamentResolver(
-			SETTINGS.edit().threads(1).constraints(CorrectionsCsv.read(file)).build())
-			.resolve(drawn.movie(), Progress.NONE);
+		final Tracks run = new Session(drawn.movie(), SETTINGS.edit().threads(1).constraints(CorrectionsCsv.read(file)).build()).solve(List.of(), Progress.NONE);
 		assertEquals(written(run, "run"), written(reviewed, "reviewed"));
 		assertNotEquals("", written(run, "run"));
 	}

@@ -27,7 +27,6 @@ import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.session.FilamentResolver;
 import io.github.knotresolver.session.Session;
 
 /** A review of two filaments that glide across each other. */
@@ -88,9 +87,7 @@ class ReviewSceneTest {
 			CorrectionsCsv.write(file, model.said());
 			assertEquals(model.said(), CorrectionsCsv.read(file));
 			assertEquals(said.filaments(),
-				new FilamentResolver(
-					SETTINGS.edit().threads(1).constraints(CorrectionsCsv.read(file)).build())
-					.resolve(drawn.movie(), Progress.NONE).filaments());
+				new Session(drawn.movie(), SETTINGS.edit().threads(1).constraints(CorrectionsCsv.read(file)).build()).solve(List.of(), Progress.NONE).filaments());
 			assertNotEquals(before.filaments(), said.filaments());
 		}
 	}

@@ -33,7 +33,7 @@ import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.session.FilamentResolver;
+import io.github.knotresolver.session.Session;
 
 /** What a person is told of a run, without any window. */
 class RunModelTest {
@@ -108,7 +108,7 @@ class RunModelTest {
 		final Movie movie = ImageMovie.of(SampleMovie.open(), InputOptions.DEFAULT);
 		final Settings part = Settings.DEFAULT.edit().threads(1).frames(List.of(1, 2, 3, 4))
 			.region(Optional.of(new Region(4, 2, 90, 50))).build();
-		final Tracks tracks = new FilamentResolver(part).resolve(movie, model);
+		final Tracks tracks = new Session(movie, part).solve(List.of(), model);
 		final Map<Integer, List<Polyline>> seen = new TreeMap<>(model.sightings());
 		assertEquals(Set.of(1, 2, 3, 4), seen.keySet());
 		seen.forEach((frame, contours) -> {

@@ -42,7 +42,7 @@ import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 
-class FilamentResolverTest {
+class WholeMovieTest {
 
 	private static final double LENGTH = 90;
 	private static final double NOISE = 0.06;
@@ -194,7 +194,7 @@ class FilamentResolverTest {
 	void aMovieWithoutAnythingSaysSo() {
 		final Movie empty = new Movie("nothing", ArrayImgs.floats(50, 40, 6), Calibration.NONE);
 		final String message = assertThrows(UserException.class,
-			() -> new FilamentResolver(Settings.DEFAULT).resolve(empty, Progress.NONE))
+			() -> new Session(empty, Settings.DEFAULT).solve(List.of(), Progress.NONE))
 			.getMessage();
 		assertTrue(message.startsWith("No filament was found in 'nothing'"), message);
 	}
@@ -275,7 +275,7 @@ class FilamentResolverTest {
 			}
 		};
 		assertThrows(CancelledException.class,
-			() -> new FilamentResolver(Settings.DEFAULT).resolve(drawn.movie(), impatient));
+			() -> new Session(drawn.movie(), Settings.DEFAULT).solve(List.of(), impatient));
 	}
 
 	private static void assertMessage(final DrawnMovie drawn, final Settings parameters,
@@ -293,7 +293,7 @@ class FilamentResolverTest {
 	}
 
 	private static Tracks resolve(final DrawnMovie drawn, final Settings parameters) {
-		return new FilamentResolver(parameters).resolve(drawn.movie(), Progress.NONE);
+		return new Session(drawn.movie(), parameters).solve(List.of(), Progress.NONE);
 	}
 
 	private static void assertFollows(final DrawnMovie drawn, final Tracks result,

@@ -1,19 +1,20 @@
-package io.github.knotresolver.run;
+package io.github.knotresolver.session;
+
+import java.util.List;
 
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.session.FilamentResolver;
 
 /** What turns a movie into a result: a session, or what a test puts in its place. */
 @FunctionalInterface
 public interface Engine {
 
 	/** The program's own. */
-	Engine PIPELINE = (movie, parameters, progress) -> new FilamentResolver(parameters)
-		.resolve(movie, progress);
+	Engine PIPELINE = (movie, parameters, progress) -> new Session(movie, parameters)
+		.solve(List.of(), progress);
 
 	/**
 	 * @param movie the movie
