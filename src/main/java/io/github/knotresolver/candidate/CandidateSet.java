@@ -14,4 +14,11 @@ public record CandidateSet(List<Candidate> candidates, boolean limited) {
 	public CandidateSet {
 		candidates = List.copyOf(candidates);
 	}
+
+	/** @return a sentence that says so if a limit was hit; empty if none was */
+	public String limitReason() {
+		return limited
+			? "The search hit a limit: a better contour may have been missed; if it is wrong, draw the frame as a correction."
+			: "";
+	}
 }

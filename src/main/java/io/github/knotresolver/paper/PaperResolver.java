@@ -19,7 +19,6 @@ import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.track.FrameGraph;
-import io.github.knotresolver.track.Observations;
 import io.github.knotresolver.track.Resolver;
 import io.github.knotresolver.track.ResolverQuery;
 import io.github.knotresolver.track.Track;
@@ -47,16 +46,17 @@ public record PaperResolver(CandidateGenerator generator) implements Resolver {
 				template = found.contour();
 			frames.add(found);
 		}
-		return new Track(frames, query.length());
+		return new Track(query.fixedEnd(), query.length().orElse(Double.NaN), Double.NaN, frames,
+			Track.notes(frames));
 	}
 
 	private Observation resolve(final FrameGraph frame, final ResolverQuery query,
 		final Optional<Polyline> template, final Progress progress) {
 		final Polyline correction = query.corrections().get(frame.frame());
 		if (correction != null)
-			return Observations.corrected(frame, correction);
+			return frame.corrected(correction);
 		if (frame.graph().isEmpty())
-			return Observations.lost(frame);
+			return frame.lost();
 		final SkeletonGraph graph = frame.graph().get();
 		if (graph.isUnbranched())
 			return new Observation(frame.frame(), FrameStatus.RESOLVED, "",
@@ -102,12 +102,12 @@ public record PaperResolver(CandidateGenerator generator) implements Resolver {
 			}
 		}
 		if (best == null)
-			return Observations.withoutCandidates(frame);
+			return frame.withoutCandidates();
 		final double confidence = second > 0 && Double.isFinite(second)
 			? 1 - cost / second
 			: Double.isFinite(second) ? 0 : 1;
 		return new Observation(frame.frame(), FrameStatus.RESOLVED,
-			Observations.limitReason(set.limited()), Optional.of(best), frame.junctions(),
+			set.limitReason(), Optional.of(best), frame.junctions(),
 			set.candidates().size(), cost, confidence);
 	}
 }

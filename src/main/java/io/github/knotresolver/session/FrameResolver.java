@@ -69,22 +69,17 @@ final class FrameResolver {
 		this.fixedEnd = fixedEnd;
 	}
 
-	/** What was found: length in pixels and its standard error, NaN if not known. */
-	record Found(Point fixedEnd, double length, double lengthError, List<Observation> frames,
-		List<String> notes) {
-	}
-
 	/**
 	 * Resolves the frames. What a movie tells by itself is worked out once.
 	 *
 	 * @param said what the user said of the filament
 	 * @return empty if there is no filament in any frame
 	 */
-	Optional<Found> resolve(final List<Constraint> said, final Workers workers,
+	Optional<Track> resolve(final List<Constraint> said, final Workers workers,
 		final Progress progress) {
 		if (parameters.refine() && parameters.resolver() == ResolverMethod.MOVIE)
 			return solver(workers, progress).map(s -> found(s.solve(said, workers, progress)));
-		final Found track = found(fixedEnd, onSkeletons(contours(said), workers, progress));
+		final Track track = onSkeletons(contours(said), workers, progress);
 		return Optional.of(parameters.refine() ? refined(track, workers, progress) : track);
 	}
 
@@ -146,9 +141,9 @@ final class FrameResolver {
 	 * The same contours, fitted to the picture; as they were where the user gave them or no
 	 * fit is good; frames without one stay without.
 	 */
-	private Found refined(final Found track, final Workers workers, final Progress progress) {
+	private Track refined(final Track track, final Workers workers, final Progress progress) {
 		final Map<Integer, Polyline> contours = new HashMap<>();
-		track.frames.forEach(f -> f.contour().filter(c -> c.length() > 1)
+		track.frames().forEach(f -> f.contour().filter(c -> c.length() > 1)
 			.ifPresent(c -> contours.put(f.frame(), c)));
 		final List<FrameView> seen = frames.stream().filter(f -> contours.containsKey(f.frame()))
 			.toList();
@@ -159,30 +154,23 @@ final class FrameResolver {
 				.orElse(track);
 	}
 
-	private static Found merged(final Found track, final Refined fits) {
+	private static Track merged(final Track track, final Refined fits) {
 		final List<Observation> frames = new ArrayList<>();
-		for (final Observation f : track.frames)
+		for (final Observation f : track.frames())
 			frames
 				.add(f.status() == FrameStatus.CORRECTED || !fits.contours().containsKey(f.frame())
 					? f
 					: f.withContour(fits.contours().get(f.frame())));
-		return new Found(fits.estimate().fixedEnd(), fits.estimate().length(),
-			fits.estimate().lengthError(), frames, track.notes);
+		return new Track(fits.estimate().fixedEnd(), fits.estimate().length(),
+			fits.estimate().lengthError(), frames, track.notes());
 	}
 
-	private static Found found(final Resolved r) {
+	private static Track found(final Resolved r) {
 		final List<String> notes = new ArrayList<>(
 			List.of("Line model: " + r.estimate().model() + "."));
 		notes.addAll(r.notes());
-		return new Found(r.estimate().fixedEnd(), r.estimate().length(), r.estimate().lengthError(),
+		return new Track(r.estimate().fixedEnd(), r.estimate().length(), r.estimate().lengthError(),
 			r.frames(), notes);
-	}
-
-	private static Found found(final Point fixedEnd, final Track track) {
-		return new Found(fixedEnd, track.length().orElse(Double.NaN), Double.NaN, track.frames(),
-			track.frames().stream().noneMatch(f -> f.status() == FrameStatus.UNRESOLVED)
-				? List.of()
-				: List.of("Some frames could not be resolved; frames.csv says why."));
 	}
 
 	private CandidateGenerator generator() {

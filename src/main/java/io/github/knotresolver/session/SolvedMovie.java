@@ -21,12 +21,12 @@ import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
-import io.github.knotresolver.session.FrameResolver.Found;
 import io.github.knotresolver.track.FixedEndFinder;
 import io.github.knotresolver.track.FrameView;
 import io.github.knotresolver.track.SceneResolver;
 import io.github.knotresolver.track.SceneTracks;
 import io.github.knotresolver.track.SingleFilament;
+import io.github.knotresolver.track.Track;
 
 /** A movie as far as it is known without a word of the user: frames as graphs, and who answers. */
 final class SolvedMovie {
@@ -127,7 +127,7 @@ final class SolvedMovie {
 	private FilamentTrack one(final Settings told, final List<String> notes, final Workers workers,
 		final Progress progress) {
 		told.constraints().forEach(c -> requireFilament(c, 1));
-		final Found found = single.orElseThrow()
+		final Track found = single.orElseThrow()
 			.resolve(
 				prepared.pixels()
 					.in(told.constraints().stream().filter(c -> c.kind().isOfContour()).toList()),

@@ -127,7 +127,7 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 			* course.estimate().model().sigma())
 			return Observation.without(frame, FrameStatus.UNRESOLVED,
 				"What is seen of the contour is too short to be told from a spot.");
-		final String limit = Observations.limitReason(sets.get(t).limited());
+		final String limit = sets.get(t).limitReason();
 		return new Observation(frame,
 			said.isPresent() ? FrameStatus.CORRECTED : FrameStatus.RESOLVED,
 			said.map(Restriction::met).orElse((doubt + " " + limit).trim()),

@@ -3,7 +3,10 @@ package io.github.knotresolver.track;
 import java.util.Objects;
 import java.util.Optional;
 
+import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.SkeletonGraph;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Observation;
 
 /**
  * A frame as resolvers see it.
@@ -23,5 +26,25 @@ public record FrameGraph(int frame, Optional<SkeletonGraph> graph) {
 	/** @return the number of junctions; 0 without a graph */
 	public int junctions() {
 		return graph.map(SkeletonGraph::junctions).orElse(0);
+	}
+
+	/**
+	 * @param contour what the user gave for it, in pixels
+	 * @return the frame with that contour
+	 */
+	public Observation corrected(final Polyline contour) {
+		return new Observation(frame, FrameStatus.CORRECTED, "Given by the user.",
+			Optional.of(contour), junctions(), 1, 0, 1);
+	}
+
+	/** @return the frame as one in which the filament was not found */
+	public Observation lost() {
+		return Observation.without(frame, FrameStatus.LOST, "No filament was found in this frame.");
+	}
+
+	/** @return the frame as one whose skeleton gives no contour */
+	public Observation withoutCandidates() {
+		return Observation.without(frame, FrameStatus.UNRESOLVED,
+			"The skeleton is too small to hold a contour.");
 	}
 }

@@ -1,19 +1,35 @@
 package io.github.knotresolver.track;
 
 import java.util.List;
-import java.util.OptionalDouble;
 
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 
 /**
- * What a resolver found.
+ * What was found of one filament in the frames that were asked for, in their pixels.
  *
+ * @param fixedEnd where it is clamped
+ * @param length its length in pixels that was used; NaN if none was
+ * @param lengthError the length's standard error in pixels; NaN if it is not known
  * @param frames one for each frame asked for, in the same order
- * @param length the filament's length in pixels that was used; empty if none was
+ * @param notes what a user should know, one sentence each
  */
-public record Track(List<Observation> frames, OptionalDouble length) {
+public record Track(Point fixedEnd, double length, double lengthError, List<Observation> frames,
+	List<String> notes) {
 
 	public Track {
 		frames = List.copyOf(frames);
+		notes = List.copyOf(notes);
+	}
+
+	/**
+	 * @param frames what was found on skeletons
+	 * @return what a user should know of them
+	 */
+	public static List<String> notes(final List<Observation> frames) {
+		return frames.stream().noneMatch(f -> f.status() == FrameStatus.UNRESOLVED)
+			? List.of()
+			: List.of("Some frames could not be resolved; frames.csv says why.");
 	}
 }

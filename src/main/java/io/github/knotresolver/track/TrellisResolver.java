@@ -9,6 +9,8 @@ import java.util.stream.IntStream;
 
 import io.github.knotresolver.candidate.CandidateGenerator;
 import io.github.knotresolver.candidate.CandidateQuery;
+import io.github.knotresolver.candidate.CandidateSet;
+import io.github.knotresolver.contour.ContourBuilder;
 import io.github.knotresolver.contour.EqualArcDistance;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.FrameStatus;
@@ -50,7 +52,23 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 		this(generator, TrackTuning.SKELETON_MOTION, Workers.HERE);
 	}
 
-	private record Solution(List<FrameCandidates> columns, TrellisPath path,
+	/** The contours among which one frame has the choice, what speaks against each, and a limit that was hit. */
+	private record Column(List<Polyline> contours, List<Double> prices, String limitReason) {
+
+		/** A frame in which nothing can be chosen. */
+		static final Column NONE = new Column(List.of(), List.of(), "");
+
+		static Column of(final CandidateSet set) {
+			return new Column(set.candidates().stream().map(ContourBuilder::smooth).toList(),
+				set.candidates().stream().map(c -> c.price().total()).toList(), set.limitReason());
+		}
+
+		double[] priceArray() {
+			return prices.stream().mapToDouble(Double::doubleValue).toArray();
+		}
+	}
+
+	private record Solution(List<Column> columns, TrellisPath path,
 		OptionalDouble length) {
 	}
 
@@ -65,7 +83,8 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 		final List<Observation> frames = new ArrayList<>();
 		for (int t = 0; t < query.frames().size(); t++)
 			frames.add(tracked(query, best, t));
-		return new Track(frames, best.length);
+		return new Track(query.fixedEnd(), best.length.orElse(Double.NaN), Double.NaN, frames,
+			Track.notes(frames));
 	}
 
 	private Solution tryLengths(final ResolverQuery query, final Progress progress) {
@@ -99,40 +118,40 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 
 	private Solution solve(final ResolverQuery query, final OptionalDouble length,
 		final Progress progress) {
-		final List<FrameCandidates> columns = workers.map(query.frames().size(),
+		final List<Column> columns = workers.map(query.frames().size(),
 			t -> column(query, query.frames().get(t), length, progress));
 		progress.report("Resolving", 0.5);
 		final ContourDistance distance = new ContourDistance(
-			columns.stream().map(FrameCandidates::contours).toList(), motion, workers, progress);
+			columns.stream().map(Column::contours).toList(), motion, workers, progress);
 		return new Solution(columns, Trellis
-			.solve(columns.stream().map(FrameCandidates::priceArray).toList(), distance, progress),
+			.solve(columns.stream().map(Column::priceArray).toList(), distance, progress),
 			length);
 	}
 
-	private FrameCandidates column(final ResolverQuery query, final FrameGraph frame,
+	private Column column(final ResolverQuery query, final FrameGraph frame,
 		final OptionalDouble length, final Progress progress) {
 		final Polyline correction = query.corrections().get(frame.frame());
 		if (correction != null)
-			return FrameCandidates.only(correction);
+			return new Column(List.of(correction), List.of(0.0), "");
 		return frame.graph()
-			.map(g -> FrameCandidates
+			.map(g -> Column
 				.of(generator.generate(CandidateQuery.of(g, query.fixedEnd(), length), progress)))
-			.orElse(FrameCandidates.NONE);
+			.orElse(Column.NONE);
 	}
 
 	private static Observation tracked(final ResolverQuery query, final Solution solution,
 		final int t) {
 		final FrameGraph frame = query.frames().get(t);
-		final FrameCandidates column = solution.columns.get(t);
+		final Column column = solution.columns.get(t);
 		if (query.corrections().containsKey(frame.frame()))
-			return Observations.corrected(frame, column.contours().get(0));
+			return frame.corrected(column.contours.get(0));
 		if (frame.graph().isEmpty())
-			return Observations.lost(frame);
+			return frame.lost();
 		if (column.contours().isEmpty())
-			return Observations.withoutCandidates(frame);
+			return frame.withoutCandidates();
 		final int chosen = solution.path.choice()[t];
 		return new Observation(frame.frame(), FrameStatus.RESOLVED,
-			Observations.limitReason(column.limited()), Optional.of(column.contours().get(chosen)),
+			column.limitReason, Optional.of(column.contours().get(chosen)),
 			frame.junctions(), column.contours().size(), column.prices().get(chosen),
 			confidence(solution, t, chosen));
 	}
