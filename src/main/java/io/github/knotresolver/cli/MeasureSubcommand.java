@@ -11,7 +11,7 @@ import io.github.knotresolver.imagej.plot.MeasurementFolder;
 import io.github.knotresolver.io.ContourInput;
 import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.FilamentMeasurements;
-import io.github.knotresolver.io.MeasureOptions;
+import io.github.knotresolver.run.MeasureRun;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.progress.Progress;
@@ -83,7 +83,7 @@ final class MeasureSubcommand implements Callable<Integer> {
 		try (ResultFolder folder = Usage.of(spec, () -> ResultFolder.reserve(target,
 			ResultKind.MEASUREMENT, force, List.of(input, input.resolve(ContoursCsv.FILE))))) {
 			all = Usage.of(spec,
-				() -> FilamentMeasurements.of(ContourInput.readAll(input), options(), progress));
+				() -> options().measure(ContourInput.readAll(input), progress));
 			notes = MeasurementFolder.write(all, folder, plots, originalDefinitions, progress);
 		}
 		MeasurementFolder.report(all).forEach(spec.commandLine().getOut()::println);
@@ -92,7 +92,7 @@ final class MeasureSubcommand implements Callable<Integer> {
 		return ExitStatus.FINISHED;
 	}
 
-	private MeasureOptions options() {
+	private MeasureRun options() {
 		final Map<String, String> texts = new HashMap<>();
 		texts.put("pixel_size", pixelSize);
 		texts.put("unit", unit);
@@ -102,6 +102,6 @@ final class MeasureSubcommand implements Callable<Integer> {
 		texts.put("persistence_length", persistenceLength);
 		texts.put("rigidity", rigidity);
 		texts.put("spectra", spectra);
-		return MeasureOptions.parse(texts);
+		return MeasureRun.parse(texts);
 	}
 }

@@ -1,6 +1,6 @@
 package io.github.knotresolver.cli;
 
-import io.github.knotresolver.imagej.Rendering;
+import io.github.knotresolver.run.Rendering;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.simulate.Optics;
 import picocli.CommandLine.Option;

@@ -5,7 +5,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
 
-import io.github.knotresolver.imagej.SimulationRun;
+import io.github.knotresolver.imagej.MovieTiff;
+import io.github.knotresolver.run.SimulationRun;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.progress.Progress;
@@ -54,7 +55,7 @@ final class SimulateSubcommand implements Callable<Integer> {
 		try (ResultFolder folder = Usage.of(spec,
 			() -> ResultFolder.reserve(out, ResultKind.SIMULATION, force, List.of()))) {
 			movie = run.run(progress);
-			run.write(movie, folder);
+			run.write(movie, MovieTiff::write, folder);
 		}
 		spec.commandLine().getOut().println(SimulationRun.report(movie));
 		spec.commandLine().getOut().println("Movie and truth: " + out);

@@ -29,7 +29,7 @@ import io.github.knotresolver.imagej.plot.MeasurementFolder;
 import io.github.knotresolver.io.ContourInput;
 import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.FilamentMeasurements;
-import io.github.knotresolver.io.MeasureOptions;
+import io.github.knotresolver.run.MeasureRun;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.io.RunIdentity;
@@ -112,8 +112,8 @@ public class MeasureContoursCommand extends KnotCommand {
 
 	private List<FilamentMeasurements> measure(final Progress progress) {
 		final Map<String, String> texts = Form.of(this).texts();
-		texts.keySet().retainAll(MeasureOptions.KEYS);
-		return FilamentMeasurements.of(contours(), MeasureOptions.parse(texts), progress);
+		texts.keySet().retainAll(MeasureRun.KEYS);
+		return MeasureRun.parse(texts).measure(contours(), progress);
 	}
 
 	private List<ContourInput> contours() {

@@ -30,7 +30,7 @@ import io.github.knotresolver.io.ParametersJson;
 import io.github.knotresolver.io.ProgramVersion;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
-import io.github.knotresolver.io.RunReport;
+import io.github.knotresolver.run.RunReport;
 import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;

@@ -17,8 +17,8 @@ import ij.ImagePlus;
 import ij.macro.Interpreter;
 import io.github.knotresolver.imagej.ImageView;
 import io.github.knotresolver.imagej.MovieTiff;
-import io.github.knotresolver.imagej.Rendering;
-import io.github.knotresolver.imagej.SimulationRun;
+import io.github.knotresolver.run.Rendering;
+import io.github.knotresolver.run.SimulationRun;
 import io.github.knotresolver.imagej.form.FormField;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
@@ -166,7 +166,7 @@ public class SimulateMovieCommand extends KnotCommand {
 			try (ResultFolder folder = ResultFolder.reserve(out.toPath(), ResultKind.SIMULATION,
 				force, List.of())) {
 				movie = run.run(progress);
-				run.write(movie, folder);
+				run.write(movie, MovieTiff::write, folder);
 			}
 		simulated = MovieTiff.image(movie.movie());
 		if (!GraphicsEnvironment.isHeadless() || Interpreter.isBatchMode())

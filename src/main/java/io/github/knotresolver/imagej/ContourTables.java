@@ -9,7 +9,7 @@ import java.util.function.IntToDoubleFunction;
 import ij.measure.ResultsTable;
 import ij.plugin.filter.Analyzer;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.io.FilamentSummary;
+import io.github.knotresolver.measure.FilamentSummary;
 import io.github.knotresolver.measure.Gliding;
 import io.github.knotresolver.measure.MeasuredFilament;
 import io.github.knotresolver.measure.MeasuredFrame;

@@ -6,6 +6,7 @@ import java.util.function.ToDoubleFunction;
 
 import org.apache.commons.csv.CSVPrinter;
 
+import io.github.knotresolver.measure.FilamentSummary;
 import io.github.knotresolver.measure.Gliding;
 import io.github.knotresolver.measure.MeasuredFilament;
 import io.github.knotresolver.measure.MeasuredTracks;

@@ -5,7 +5,6 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 import io.github.knotresolver.io.RunIdentity;
-import io.github.knotresolver.io.RunReport;
 import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.options.InputOptions;
 

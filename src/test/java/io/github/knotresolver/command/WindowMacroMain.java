@@ -7,7 +7,7 @@ import ij.ImageJ;
 import ij.WindowManager;
 import ij.plugin.frame.RoiManager;
 import io.github.knotresolver.imagej.RoiContours;
-import io.github.knotresolver.io.MeasureOptions;
+import io.github.knotresolver.run.MeasureRun;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
@@ -20,7 +20,7 @@ public final class WindowMacroMain {
 	/** Why the lines in the ROI Manager cannot be measured; for macros. */
 	public static String refusal() {
 		try {
-			MeasureOptions.parse(Map.of()).measure(
+			MeasureRun.parse(Map.of()).measure(
 				RoiContours.read(RoiManager.getInstance2(), WindowManager.getCurrentImage()).get(0),
 				Progress.NONE);
 			return "nothing is wrong";

@@ -21,7 +21,7 @@ import io.github.knotresolver.io.BatchSheet;
 import io.github.knotresolver.io.ContourInput;
 import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.CorrectionsCsv;
-import io.github.knotresolver.io.MeasureOptions;
+import io.github.knotresolver.run.MeasureRun;
 import io.github.knotresolver.io.ResolvedRun;
 import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.options.RunOptions;
@@ -166,7 +166,7 @@ class ReadersFuzzTest extends Fuzzing {
 	@Provide
 	Arbitrary<Map<String, String>> options() {
 		final List<String> keys = new ArrayList<>(RunOptions.KEYS);
-		keys.addAll(MeasureOptions.KEYS);
+		keys.addAll(MeasureRun.KEYS);
 		return Arbitraries.maps(Arbitraries.of(keys), Drawings.odd()).ofMaxSize(4);
 	}
 
@@ -175,6 +175,6 @@ class ReadersFuzzTest extends Fuzzing {
 	@Property(seed = SEED, shrinking = ShrinkingMode.OFF)
 	void optionsAreReadOrRefused(@ForAll("options") final Map<String, String> texts) {
 		OPTIONS.run(texts::toString, () -> RunOptions.parse(texts));
-		OPTIONS.run(texts::toString, () -> MeasureOptions.parse(texts));
+		OPTIONS.run(texts::toString, () -> MeasureRun.parse(texts));
 	}
 }

@@ -36,10 +36,10 @@ import io.github.knotresolver.imagej.plot.MeasurementFolder;
 import io.github.knotresolver.io.ContourInput;
 import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.FilamentMeasurements;
-import io.github.knotresolver.io.MeasureOptions;
+import io.github.knotresolver.run.MeasureRun;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
-import io.github.knotresolver.io.RunReport;
+import io.github.knotresolver.run.RunReport;
 import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.model.Anchor;
 import io.github.knotresolver.model.FilamentTrack;
@@ -127,8 +127,8 @@ class SeveralFilamentsTest {
 		assertEquals(0, inputs.get(1).lengthErrorPx());
 		assertEquals(0.25, inputs.get(1).calibration().pixelSize());
 
-		final List<FilamentMeasurements> all = FilamentMeasurements.of(inputs,
-			MeasureOptions.parse(Map.of()), Progress.NONE);
+		final List<FilamentMeasurements> all = MeasureRun.parse(Map.of()).measure(inputs,
+			Progress.NONE);
 		final Path measured = home.resolve("measured");
 		try (ResultFolder folder = ResultFolder.reserve(measured, ResultKind.MEASUREMENT, false,
 			List.of())) {

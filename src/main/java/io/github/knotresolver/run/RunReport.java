@@ -1,4 +1,4 @@
-package io.github.knotresolver.io;
+package io.github.knotresolver.run;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -7,6 +7,8 @@ import java.util.Map;
 import java.util.SortedSet;
 import java.util.TreeSet;
 
+import io.github.knotresolver.io.NumberText;
+import io.github.knotresolver.measure.FilamentSummary;
 import io.github.knotresolver.measure.LengthStatistics;
 import io.github.knotresolver.measure.MeasuredFilament;
 import io.github.knotresolver.measure.MeasuredTracks;

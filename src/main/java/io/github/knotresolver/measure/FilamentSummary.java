@@ -1,12 +1,9 @@
-package io.github.knotresolver.io;
+package io.github.knotresolver.measure;
 
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 
-import io.github.knotresolver.measure.Gliding;
-import io.github.knotresolver.measure.LengthStatistics;
-import io.github.knotresolver.measure.MeasuredFilament;
 import io.github.knotresolver.model.Anchor;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.FrameStatus;
@@ -50,8 +47,11 @@ public record FilamentSummary(OptionalInt firstFrame, OptionalInt lastFrame, dou
 				: Optional.empty());
 	}
 
-	/** Of a frame that was left out, nobody knows it. */
-	static boolean isInView(final Observation frame) {
+	/**
+	 * @param frame a frame of a filament
+	 * @return whether the filament is in view; not where the frame was left out, so that nobody knows
+	 */
+	public static boolean isInView(final Observation frame) {
 		return frame.status() != FrameStatus.ABSENT && frame.status() != FrameStatus.IGNORED;
 	}
 }

@@ -1,4 +1,4 @@
-package io.github.knotresolver.io;
+package io.github.knotresolver.run;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,6 +13,8 @@ import io.github.knotresolver.evaluate.FilamentScore;
 import io.github.knotresolver.evaluate.FrameScore;
 import io.github.knotresolver.evaluate.SceneEvaluation;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.io.FramesCsv;
+import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 

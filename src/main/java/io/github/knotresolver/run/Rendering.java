@@ -1,4 +1,4 @@
-package io.github.knotresolver.imagej;
+package io.github.knotresolver.run;
 
 import java.util.LinkedHashMap;
 import java.util.Map;

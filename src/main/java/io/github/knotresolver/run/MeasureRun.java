@@ -1,5 +1,6 @@
-package io.github.knotresolver.io;
+package io.github.knotresolver.run;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashSet;
@@ -11,6 +12,10 @@ import java.util.Set;
 import java.util.TreeMap;
 
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.io.ContourInput;
+import io.github.knotresolver.io.FilamentMeasurements;
+import io.github.knotresolver.io.NumberText;
+import io.github.knotresolver.measure.ContourGeometry;
 import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.measure.Quantity;
 import io.github.knotresolver.measure.Rigidity;
@@ -21,12 +26,13 @@ import io.github.knotresolver.options.CalibrationChoice;
 import io.github.knotresolver.options.OptionText;
 import io.github.knotresolver.options.UnitText;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
 
 /**
- * The options of a measurement, read from text: one definition for the command
- * line and for macros. An option that is absent or blank has its default.
+ * The use case of measuring contours that are there already, with its options read from text: one
+ * definition for the command line and for macros. An option that is absent or blank has its default.
  */
-public final class MeasureOptions {
+public final class MeasureRun {
 
 	/** Every key. */
 	public static final Set<String> KEYS = Collections
@@ -38,19 +44,19 @@ public final class MeasureOptions {
 
 	private final Map<String, String> given;
 
-	private MeasureOptions(final Map<String, String> given) {
+	private MeasureRun(final Map<String, String> given) {
 		this.given = given;
 	}
 
 	/**
 	 * @param texts what was typed, by key; blank for the default
-	 * @return the options; values are checked by
+	 * @return the run; values are checked by
 	 *         {@link #measure(ContourInput, Progress)}
 	 */
-	public static MeasureOptions parse(final Map<String, String> texts) {
+	public static MeasureRun parse(final Map<String, String> texts) {
 		final Map<String, String> given = new TreeMap<>(texts);
 		given.values().removeIf(text -> text == null || text.isBlank());
-		return new MeasureOptions(given);
+		return new MeasureRun(given);
 	}
 
 	/**
@@ -66,6 +72,35 @@ public final class MeasureOptions {
 		final Calibration c = calibration(contours.calibration());
 		return MovieMeasurements.of(contours.name(), contours.contours(), c, smoothing(contours, c),
 			stiffness(), contours.lengthErrorPx() * c.pixelSize(), progress).withSpectra(spectra());
+	}
+
+	/**
+	 * Measures filaments, each by itself. Of several, those without a contour that is
+	 * long enough are left out.
+	 *
+	 * @param filaments at least one
+	 * @param progress told how far it is; may cancel
+	 * @return the measurements, at least one
+	 * @throws UserException if nothing can be measured, in one sentence
+	 */
+	public List<FilamentMeasurements> measure(final List<ContourInput> filaments,
+		final Progress progress) {
+		final List<FilamentMeasurements> all = new ArrayList<>();
+		try (Workers workers = Workers.ofThisComputer()) {
+			for (final ContourInput contours : filaments)
+				if (filaments.size() == 1 || isMeasurable(contours))
+					all.add(new FilamentMeasurements(contours,
+						workers.during(() -> measure(contours, progress))));
+		}
+		if (all.isEmpty())
+			throw new UserException("None of the " + filaments.size()
+				+ " filaments has a contour that is long enough to be measured.");
+		return all;
+	}
+
+	private static boolean isMeasurable(final ContourInput contours) {
+		return contours.contours().stream()
+			.anyMatch(c -> c.filter(ContourGeometry::isMeasurable).isPresent());
 	}
 
 	private List<Quantity> spectra() {

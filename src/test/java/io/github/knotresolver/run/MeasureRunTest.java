@@ -1,4 +1,4 @@
-package io.github.knotresolver.io;
+package io.github.knotresolver.run;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -12,12 +12,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.io.ContourInput;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 /** What a measurement may be told; its contours are 30 µm long, of pixels of 0.1 µm. */
-class MeasureOptionsTest {
+class MeasureRunTest {
 
 	@ParameterizedTest
 	@CsvSource(delimiter = '|', value = {
@@ -43,7 +44,7 @@ class MeasureOptionsTest {
 		for (int i = 0; i < x.length; i++)
 			x[i] = i;
 		final Optional<Polyline> line = Optional.of(Polyline.of(x, y));
-		MeasureOptions.parse(Map.of(key, text)).measure(
+		MeasureRun.parse(Map.of(key, text)).measure(
 			new ContourInput("lines", List.of(line, line), new Calibration(0.1, "µm", 1, "s"), 0),
 			Progress.NONE);
 	}

@@ -1,14 +1,13 @@
-package io.github.knotresolver.imagej;
+package io.github.knotresolver.imagej.plot;
 
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Collection;
 import java.util.List;
 
-import io.github.knotresolver.imagej.plot.ScoreFigures;
 import io.github.knotresolver.io.EvaluationCsv;
 import io.github.knotresolver.io.OutputFiles;
-import io.github.knotresolver.io.Scores;
+import io.github.knotresolver.run.Scores;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 

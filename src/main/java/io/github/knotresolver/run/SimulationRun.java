@@ -1,6 +1,7 @@
-package io.github.knotresolver.imagej;
+package io.github.knotresolver.run;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Locale;
 
 import io.github.knotresolver.geometry.Crossings;
@@ -10,6 +11,7 @@ import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.SimulationJson;
 import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.simulate.Canvas;
 import io.github.knotresolver.simulate.FilamentSimulator;
@@ -52,15 +54,29 @@ public record SimulationRun(SimulationParameters parameters, Rendering rendering
 			rendering.renderer(parameters.seed()), rendering.depth(), progress);
 	}
 
+	/** Writes a movie into a file. */
+	@FunctionalInterface
+	public interface MovieSink {
+
+		/**
+		 * @param movie the movie
+		 * @param file the file to write
+		 * @throws IOException if it cannot be written
+		 */
+		void write(Movie movie, Path file) throws IOException;
+	}
+
 	/**
 	 * Writes a complete folder or nothing.
 	 *
 	 * @param movie what {@link #run(Progress)} gave
+	 * @param sink writes the movie itself
 	 * @param folder the reserved folder; committed here
 	 * @throws IOException if a file cannot be written
 	 */
-	public void write(final SimulatedMovie movie, final ResultFolder folder) throws IOException {
-		MovieTiff.write(movie.movie(), folder.path().resolve(MOVIE));
+	public void write(final SimulatedMovie movie, final MovieSink sink,
+		final ResultFolder folder) throws IOException {
+		sink.write(movie.movie(), folder.path().resolve(MOVIE));
 		TruthCsv.write(folder.path().resolve(ContoursCsv.FILE), movie.truth());
 		SimulationJson.write(folder.path().resolve(ParametersJson.FILE), parameters,
 			rendering.settings());
