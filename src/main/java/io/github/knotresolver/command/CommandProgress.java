@@ -5,7 +5,6 @@ import java.util.function.BooleanSupplier;
 import org.scijava.app.StatusService;
 
 import ij.IJ;
-import io.github.knotresolver.imagej.ImageJProgress;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -15,34 +14,40 @@ import io.github.knotresolver.progress.Progress;
 final class CommandProgress implements Progress, AutoCloseable {
 
 	private static final int STEPS = 100;
+	private static final double LAST = 0.999;
 
 	private final StatusService status;
 	private final BooleanSupplier cancelled;
-	private final ImageJProgress window = new ImageJProgress();
 
 	CommandProgress(final StatusService status, final BooleanSupplier cancelled) {
 		this.status = status;
 		this.cancelled = cancelled;
+		// An Esc that was pressed before is not meant.
+		IJ.resetEscape();
 	}
 
 	@Override
 	public void report(final String stage, final double fraction) {
-		if (IJ.getInstance() != null)
-			window.report(stage, fraction);
-		else if (status != null)
+		if (IJ.getInstance() != null) {
+			IJ.showStatus(stage + "...");
+			// ImageJ takes the bar away at 1.
+			IJ.showProgress(Math.min(LAST, fraction));
+		} else if (status != null)
 			status.showStatus((int) (STEPS * fraction), STEPS, stage);
 	}
 
 	@Override
 	public boolean isCancelled() {
-		return cancelled.getAsBoolean() || window.isCancelled();
+		return cancelled.getAsBoolean() || IJ.escapePressed();
 	}
 
 	@Override
 	public void close() {
-		if (IJ.getInstance() != null)
-			window.close();
-		else if (status != null)
+		if (IJ.getInstance() != null) {
+			IJ.showStatus("");
+			IJ.showProgress(1);
+			IJ.resetEscape();
+		} else if (status != null)
 			status.clearStatus();
 	}
 }

@@ -78,6 +78,6 @@ public record Evaluation(List<FrameScore> frames, int extraFrames, double[] posi
 
 	/** @return the figures of the whole movie */
 	public EvaluationSummary summary() {
-		return EvaluationSummary.of(this);
+		return new EvaluationSummary(this);
 	}
 }

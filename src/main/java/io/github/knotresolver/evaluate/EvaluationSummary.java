@@ -9,46 +9,99 @@ import java.util.function.ToDoubleFunction;
 /**
  * The figures of a whole movie. Percentages, means and medians of no frame at
  * all are NaN.
- *
- * @param frames frames of the truth
- * @param framesPresent of them, those with a contour
- * @param framesWithCrossings of them, those in which the true contour crosses
- *          itself
- * @param extraResultFrames frames of the result that the truth does not have
- * @param meanDice mean Dice index of all frames
- * @param meanDiceCrossingFrames the same of the frames with crossings
- * @param medianFrechet median Frechet distance of all frames in pixels; missing
- *          frames are infinitely far
- * @param medianFrechetPresent the same of the frames with a contour
- * @param meanError mean of the frames' errors in pixels, frames with a contour
- * @param meanMiss mean of the frames' misses in pixels, frames with a contour
- * @param medianAbsoluteLengthError median of the magnitude in percent, frames
- *          with a contour
- * @param percentResolved frames with a Frechet distance below 5 px
- * @param percentResolvedCrossingFrames the same of the frames with crossings
- * @param percentResolvedSimpleFrames the same of the frames without
- * @param framesFlipped contours that are right but for their direction
- * @param firstUnresolvedFrame the first frame that is not resolved
  */
-public record EvaluationSummary(int frames, int framesPresent, int framesWithCrossings,
-	int extraResultFrames, double meanDice, double meanDiceCrossingFrames, double medianFrechet,
-	double medianFrechetPresent, double meanError, double meanMiss,
-	double medianAbsoluteLengthError, double percentResolved, double percentResolvedCrossingFrames,
-	double percentResolvedSimpleFrames, int framesFlipped, OptionalInt firstUnresolvedFrame) {
+public final class EvaluationSummary {
 
-	static EvaluationSummary of(final Evaluation evaluation) {
-		final List<FrameScore> all = evaluation.frames();
-		final List<FrameScore> present = select(all, FrameScore::present);
-		final List<FrameScore> crossing = select(all, f -> f.crossings() > 0);
-		final List<FrameScore> simple = select(all, f -> f.crossings() == 0);
-		return new EvaluationSummary(all.size(), present.size(), crossing.size(),
-			evaluation.extraFrames(), mean(all, CurveScore::dice), mean(crossing, CurveScore::dice),
-			median(all, CurveScore::frechet), median(present, CurveScore::frechet),
-			mean(present, CurveScore::error), mean(present, CurveScore::miss),
-			median(present, s -> Math.abs(s.lengthError())), percentResolved(all),
-			percentResolved(crossing), percentResolved(simple),
-			select(present, f -> f.score().isFlipped()).size(), all.stream()
-				.filter(f -> !f.score().isResolved()).mapToInt(FrameScore::frame).findFirst());
+	private final List<FrameScore> all, present, crossing, simple;
+	private final int extraFrames;
+
+	EvaluationSummary(final Evaluation evaluation) {
+		all = evaluation.frames();
+		present = select(all, FrameScore::present);
+		crossing = select(all, f -> f.crossings() > 0);
+		simple = select(all, f -> f.crossings() == 0);
+		extraFrames = evaluation.extraFrames();
+	}
+
+	/** @return frames of the truth */
+	public int frames() {
+		return all.size();
+	}
+
+	/** @return of them, those with a contour */
+	public int framesPresent() {
+		return present.size();
+	}
+
+	/** @return of them, those in which the true contour crosses itself */
+	public int framesWithCrossings() {
+		return crossing.size();
+	}
+
+	/** @return frames of the result that the truth does not have */
+	public int extraResultFrames() {
+		return extraFrames;
+	}
+
+	/** @return mean Dice index of all frames */
+	public double meanDice() {
+		return mean(all, CurveScore::dice);
+	}
+
+	/** @return the same of the frames with crossings */
+	public double meanDiceCrossingFrames() {
+		return mean(crossing, CurveScore::dice);
+	}
+
+	/** @return median Frechet distance of all frames in pixels; missing frames are infinitely far */
+	public double medianFrechet() {
+		return median(all, CurveScore::frechet);
+	}
+
+	/** @return the same of the frames with a contour */
+	public double medianFrechetPresent() {
+		return median(present, CurveScore::frechet);
+	}
+
+	/** @return mean of the frames' errors in pixels, frames with a contour */
+	public double meanError() {
+		return mean(present, CurveScore::error);
+	}
+
+	/** @return mean of the frames' misses in pixels, frames with a contour */
+	public double meanMiss() {
+		return mean(present, CurveScore::miss);
+	}
+
+	/** @return median magnitude of the length's error in percent, frames with a contour */
+	public double medianAbsoluteLengthError() {
+		return median(present, s -> Math.abs(s.lengthError()));
+	}
+
+	/** @return frames with a Frechet distance below 5 px, in percent */
+	public double percentResolved() {
+		return percentResolved(all);
+	}
+
+	/** @return the same of the frames with crossings */
+	public double percentResolvedCrossingFrames() {
+		return percentResolved(crossing);
+	}
+
+	/** @return the same of the frames without */
+	public double percentResolvedSimpleFrames() {
+		return percentResolved(simple);
+	}
+
+	/** @return how many contours are right but for their direction */
+	public int framesFlipped() {
+		return select(present, f -> f.score().isFlipped()).size();
+	}
+
+	/** @return the first frame that is not resolved */
+	public OptionalInt firstUnresolvedFrame() {
+		return all.stream().filter(f -> !f.score().isResolved()).mapToInt(FrameScore::frame)
+			.findFirst();
 	}
 
 	private static List<FrameScore> select(final List<FrameScore> frames,

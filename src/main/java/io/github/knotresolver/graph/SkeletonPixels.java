@@ -9,7 +9,7 @@ import net.imglib2.RandomAccessibleInterval;
 import net.imglib2.type.logic.BitType;
 
 import io.github.knotresolver.image.Pixels;
-import io.github.knotresolver.skeleton.BranchPixels;
+import io.github.knotresolver.skeleton.SkeletonNodes;
 
 /**
  * The pixels of a skeleton in scan order, with their branch rule. A pixel is
@@ -33,7 +33,7 @@ final class SkeletonPixels {
 		width = (int) skeleton.dimension(0);
 		height = (int) skeleton.dimension(1);
 		set = Pixels.bits(skeleton);
-		branch = Pixels.bits(BranchPixels.of(skeleton));
+		branch = Pixels.bits(SkeletonNodes.branches(skeleton));
 	}
 
 	int x(final int pixel) {

@@ -9,7 +9,6 @@ import io.github.knotresolver.evaluate.like.LikeResult;
 import io.github.knotresolver.evaluate.like.LikeStudy;
 import io.github.knotresolver.imagej.plot.Pictures;
 import io.github.knotresolver.imagej.plot.ScoreFigures;
-import io.github.knotresolver.io.LikeJson;
 import io.github.knotresolver.io.LikeTables;
 import io.github.knotresolver.io.ParametersJson;
 import io.github.knotresolver.io.ResultFolder;
@@ -41,7 +40,7 @@ public final class LikeFolder {
 		throws IOException {
 		final List<String> leftOut = new ArrayList<>();
 		LikeTables.write(folder.path(), result);
-		LikeJson.write(folder.path().resolve(ParametersJson.FILE), result);
+		ParametersJson.write(folder.path().resolve(ParametersJson.FILE), result);
 		if (plots) {
 			final List<List<FrameScore>> frames = result.movies().stream()
 				.map(m -> m.evaluation().frames()).toList();

@@ -4,6 +4,7 @@ import java.awt.Color;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
 
 import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
@@ -25,7 +26,7 @@ import io.github.knotresolver.session.FrameLook;
 public final class LookOverlay {
 
 	/** Every name starts so. */
-	static final String PREFIX = "look-";
+	private static final String PREFIX = "look-";
 	private static final Color OUTLINE = Color.WHITE, DOTS = new Color(0x56, 0xb4, 0xe9);
 	private static final int PIECES = 16, LINKS = 4, TINY = 0;
 	private static final double LINE = 1.5;
@@ -67,8 +68,31 @@ public final class LookOverlay {
 		return overlay;
 	}
 
+	/**
+	 * Contours while they are being found: thin lines, each at its frame.
+	 *
+	 * @param sightings contours in pixels by 1-based frame
+	 * @param places sets the positions of frames
+	 * @param before the image's overlay, which is shown, too; may be null
+	 * @return the shapes
+	 */
+	public static Overlay of(final SortedMap<Integer, List<Polyline>> sightings,
+		final RoiConverter places, final Overlay before) {
+		final Overlay overlay = without(before);
+		sightings.forEach((frame, contours) -> {
+			for (int i = 0; i < contours.size(); i++) {
+				final Roi line = RoiConverter.polyline(contours.get(i));
+				line.setStrokeColor(Palette.ofFilament(i + 1));
+				line.setUnscalableStrokeWidth(1);
+				line.setName(PREFIX + "sighted");
+				overlay.add(places.placed(line, frame));
+			}
+		});
+		return overlay;
+	}
+
 	/** What others have drawn; before may be null. */
-	static Overlay without(final Overlay before) {
+	private static Overlay without(final Overlay before) {
 		final Overlay overlay = new Overlay();
 		if (before != null)
 			Arrays.stream(before.toArray()).filter(r -> !isOurs(r)).forEach(overlay::add);

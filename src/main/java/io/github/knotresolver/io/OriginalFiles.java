@@ -2,7 +2,10 @@
 package io.github.knotresolver.io;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 
@@ -11,6 +14,7 @@ import org.apache.commons.csv.CSVPrinter;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.measure.DominantFrequency;
+import io.github.knotresolver.measure.LengthStatistics;
 import io.github.knotresolver.measure.MeasuredFilament;
 import io.github.knotresolver.measure.MeasuredFrame;
 import io.github.knotresolver.measure.MeasuredTracks;
@@ -70,7 +74,7 @@ public final class OriginalFiles {
 		final Calibration c = result.calibration();
 		final List<MeasuredFrame> measured = filament.frames().stream()
 			.filter(f -> !Double.isNaN(f.length())).toList();
-		OriginalStatistics.write(file,
+		writeStatistics(file,
 			new OriginalQuantities(measured.stream().mapToInt(f -> f.tracked().frame()).toArray(),
 				values(measured, f -> length(f, c)),
 				values(measured, f -> folded(tipDirection(f.tracked().contour().orElseThrow()))),
@@ -78,6 +82,34 @@ public final class OriginalFiles {
 				values(measured, f -> f.get(Quantity.END_TO_END)),
 				filament.dominantFrequency().map(DominantFrequency::frequency).orElse(Double.NaN)),
 			c, result.calibration().frequencyUnit());
+	}
+
+	/**
+	 * @param file the file to write
+	 * @param original the quantities
+	 * @param c units
+	 * @param frequencyUnit unit of the dominant frequency
+	 * @throws IOException if a file cannot be written
+	 */
+	public static void writeStatistics(final Path file, final OriginalQuantities original,
+		final Calibration c, final String frequencyUnit) throws IOException {
+		final LengthStatistics s = LengthStatistics.ofLengths(original.length());
+		final String unit = c.unit().equals("µm") ? "micron" : c.unit();
+		final List<String> lines = new ArrayList<>(List.of("Statistics Summary",
+			"------------------", "Scaling Factor: " + text(c.pixelSize(), 5),
+			"Time Step: " + text(c.frameInterval(), 2),
+			"Distance ignored from end (" + unit + "s): 0.00",
+			"Dominant Frequency (" + frequencyUnit + "): " + text(original.dominantFrequency(), 5),
+			"", "Mean Length, Median Length, Std Length, Min Length, Max Length",
+			String.join(", ", text(s.mean(), 2), text(s.median(), 2), text(s.sd(), 2),
+				text(s.min(), 2), text(s.max(), 2)),
+			"Frame, Length (" + unit + "), Tip Angle, Tip Angle (smooth), EndToEndDistance (" + unit
+				+ ")"));
+		for (int i = 0; i < original.frame().length; i++)
+			lines.add(String.join(", ", String.valueOf(original.frame()[i]),
+				text(original.length()[i], 3), text(original.tipAngle()[i], 3),
+				text(original.smoothTipAngle()[i], 3), text(original.endToEnd()[i], 3)));
+		Files.writeString(file, String.join("\n", lines) + "\n", StandardCharsets.UTF_8);
 	}
 
 	private static double[] values(final List<MeasuredFrame> frames,
@@ -97,5 +129,9 @@ public final class OriginalFiles {
 	/** From radians, y down, to degrees, y up, in -90..90. */
 	private static double folded(final double angle) {
 		return Math.toDegrees(Math.atan(Math.tan(-angle)));
+	}
+
+	private static String text(final double value, final int decimals) {
+		return Double.isFinite(value) ? NumberText.fixed(value, decimals) : "NaN";
 	}
 }

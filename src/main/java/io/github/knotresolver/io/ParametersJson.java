@@ -14,9 +14,12 @@ import java.util.TreeMap;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
+import com.google.gson.FieldNamingPolicy;
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 
+import io.github.knotresolver.evaluate.like.LikeMovie;
+import io.github.knotresolver.evaluate.like.LikeResult;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.FilamentTrack;
@@ -25,6 +28,7 @@ import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.options.RunOptions;
+import io.github.knotresolver.simulate.SimulationParameters;
 
 /**
  * {@code parameters.json}: everything needed to repeat a run, with the
@@ -40,6 +44,11 @@ public final class ParametersJson {
 	private static final Gson GSON = new GsonBuilder().setPrettyPrinting().disableHtmlEscaping()
 		.serializeNulls().create();
 
+	/** Of records: their fields by their names. */
+	private static final Gson FIELDS = new GsonBuilder().setPrettyPrinting().disableHtmlEscaping()
+		.setFieldNamingPolicy(FieldNamingPolicy.LOWER_CASE_WITH_UNDERSCORES).serializeNulls()
+		.serializeSpecialFloatingPointValues().create();
+
 	private ParametersJson() {
 	}
 
@@ -53,9 +62,7 @@ public final class ParametersJson {
 	 */
 	public static void write(final Path file, final Tracks tracks, final InputOptions input,
 		final Optional<RunIdentity> identity, final List<String> notes) throws IOException {
-		final Map<String, Object> json = new LinkedHashMap<>();
-		json.put("program", ProgramVersion.NAME);
-		json.put("version", ProgramVersion.get());
+		final Map<String, Object> json = program();
 		json.put("movie", movie(tracks.movie(), identity));
 		json.put("options",
 			RunOptions.values(tracks.settings(), input, tracks.movie().calibration()));
@@ -67,7 +74,52 @@ public final class ParametersJson {
 		});
 		json.put("found", found(tracks));
 		json.put("notes", Stream.concat(tracks.notes().stream(), notes.stream()).toList());
-		Files.writeString(file, GSON.toJson(json) + "\n", StandardCharsets.UTF_8);
+		write(file, GSON, json);
+	}
+
+	/**
+	 * Of a study of movies like a user's.
+	 *
+	 * @param file the file to write
+	 * @param result the study
+	 * @throws IOException if a file cannot be written
+	 */
+	public static void write(final Path file, final LikeResult result) throws IOException {
+		final Map<String, Object> json = program();
+		json.put("like", result.source().movie().name());
+		json.put("seed", result.seed());
+		json.put("movie_seeds", result.movies().stream().map(LikeMovie::seed).toList());
+		json.put("motion", result.motion());
+		write(file, FIELDS, json);
+	}
+
+	/**
+	 * Of a simulated movie: everything needed to make it again. Units are µm, pN and s, as the
+	 * parameters' documentation says.
+	 *
+	 * @param file the file to write
+	 * @param simulation what decided the trajectory
+	 * @param rendering what decided the pictures, by option
+	 * @throws IOException if a file cannot be written
+	 */
+	public static void write(final Path file, final SimulationParameters simulation,
+		final Map<String, Object> rendering) throws IOException {
+		final Map<String, Object> json = program();
+		json.put("simulation", simulation);
+		json.put("rendering", rendering);
+		write(file, FIELDS, json);
+	}
+
+	private static Map<String, Object> program() {
+		final Map<String, Object> json = new LinkedHashMap<>();
+		json.put("program", ProgramVersion.NAME);
+		json.put("version", ProgramVersion.get());
+		return json;
+	}
+
+	private static void write(final Path file, final Gson gson, final Map<String, Object> json)
+		throws IOException {
+		Files.writeString(file, gson.toJson(json) + "\n", StandardCharsets.UTF_8);
 	}
 
 	/**

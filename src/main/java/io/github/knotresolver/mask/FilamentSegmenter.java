@@ -30,7 +30,7 @@ public final class FilamentSegmenter {
 	 * @param segmentation the parameters
 	 */
 	public FilamentSegmenter(final Segmentation segmentation) {
-		this(segmentation, new Otsu());
+		this(segmentation, new OtsuThreshold());
 	}
 
 	/**

@@ -23,7 +23,7 @@ public final class LocalThreshold implements Thresholder {
 
 	@Override
 	public Seed seed(final RandomAccessibleInterval<FloatType> frame) {
-		Seed seed = new Otsu().seed(frame);
+		Seed seed = new OtsuThreshold().seed(frame);
 		for (int round = 0; round < MaskTuning.THRESHOLD_ROUNDS; round++)
 			seed = refined(frame, seed.mask());
 		return seed;

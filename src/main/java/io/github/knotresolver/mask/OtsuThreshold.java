@@ -6,12 +6,14 @@ import net.imglib2.type.numeric.real.FloatType;
 
 import io.github.knotresolver.image.Pixels;
 
-/** The intensity that parts a frame best into dark and bright. */
-public final class OtsuThreshold {
+/** The published choice: in each frame the intensity that parts it best into dark and bright. */
+public final class OtsuThreshold implements Thresholder {
 
 	private static final int BINS = 256;
 
-	private OtsuThreshold() {
+	@Override
+	public Seed seed(final RandomAccessibleInterval<FloatType> frame) {
+		return new Seed(frame, FixedThreshold.above(frame, of(frame)));
 	}
 
 	/**

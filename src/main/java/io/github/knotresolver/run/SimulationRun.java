@@ -8,7 +8,6 @@ import io.github.knotresolver.geometry.Crossings;
 import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.ParametersJson;
 import io.github.knotresolver.io.ResultFolder;
-import io.github.knotresolver.io.SimulationJson;
 import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.model.Movie;
@@ -78,7 +77,7 @@ public record SimulationRun(SimulationParameters parameters, Rendering rendering
 		final ResultFolder folder) throws IOException {
 		sink.write(movie.movie(), folder.path().resolve(MOVIE));
 		TruthCsv.write(folder.path().resolve(ContoursCsv.FILE), movie.truth());
-		SimulationJson.write(folder.path().resolve(ParametersJson.FILE), parameters,
+		ParametersJson.write(folder.path().resolve(ParametersJson.FILE), parameters,
 			rendering.settings());
 		folder.commit();
 	}

@@ -7,7 +7,7 @@ import ij.ImagePlus;
 import ij.gui.Overlay;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.imagej.RoiConverter;
-import io.github.knotresolver.imagej.SightingOverlay;
+import io.github.knotresolver.imagej.LookOverlay;
 
 /** Contours on an image while they are being found. */
 final class SightingLayer implements AutoCloseable {
@@ -28,7 +28,7 @@ final class SightingLayer implements AutoCloseable {
 		if (sightings.isEmpty() || sightings.equals(shown))
 			return;
 		shown = sightings;
-		drawn = SightingOverlay.of(sightings, places, before);
+		drawn = LookOverlay.of(sightings, places, before);
 		image.setOverlay(drawn);
 	}
 

@@ -27,7 +27,7 @@ import io.github.knotresolver.model.Segmentation;
 import io.github.knotresolver.model.Segmentation.Steps;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.skeleton.EndPixels;
+import io.github.knotresolver.skeleton.SkeletonNodes;
 import io.github.knotresolver.skeleton.Skeletonize;
 
 /** Pictures of known shape, with blur and noise, become the right masks. */
@@ -184,7 +184,7 @@ class FilamentSegmenterTest {
 	}
 
 	private static int ends(final Img<BitType> mask) {
-		final boolean[] ends = Pixels.bits(EndPixels.of(Skeletonize.thin(mask)));
+		final boolean[] ends = Pixels.bits(SkeletonNodes.ends(Skeletonize.thin(mask)));
 		int count = 0;
 		for (final boolean end : ends)
 			if (end)

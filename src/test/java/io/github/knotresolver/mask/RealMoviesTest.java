@@ -48,7 +48,7 @@ class RealMoviesTest {
 
 	@Test
 	void brightMovieIsFollowedThroughKnotsAndOverlap() {
-		for (final Thresholder thresholder : List.of(new Otsu(), new LocalThreshold())) {
+		for (final Thresholder thresholder : List.of(new OtsuThreshold(), new LocalThreshold())) {
 			final List<Img<BitType>> masks = filament("dyn1.tif", new Point(47, 90), thresholder);
 			for (int t = 0; t < masks.size(); t++) {
 				final Img<BitType> line = Skeletonize.thin(masks.get(t));

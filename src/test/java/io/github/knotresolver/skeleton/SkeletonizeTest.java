@@ -69,8 +69,8 @@ class SkeletonizeTest {
 			"""));
 		assertEquals(1, ConnectedComponents.of(line).objects().size());
 		assertEquals(1, holes(line));
-		assertEquals(1, count(EndPixels.of(line)));
-		assertTrue(count(BranchPixels.of(line)) >= 1, Ascii.draw(line));
+		assertEquals(1, count(SkeletonNodes.ends(line)));
+		assertTrue(count(SkeletonNodes.branches(line)) >= 1, Ascii.draw(line));
 	}
 
 	@Test
@@ -87,8 +87,8 @@ class SkeletonizeTest {
 			.####...............####.
 			###...................###
 			"""));
-		assertEquals(4, count(EndPixels.of(line)), Ascii.draw(line));
-		assertEquals(2, ConnectedComponents.of(BranchPixels.of(line)).objects().size(),
+		assertEquals(4, count(SkeletonNodes.ends(line)), Ascii.draw(line));
+		assertEquals(2, ConnectedComponents.of(SkeletonNodes.branches(line)).objects().size(),
 			Ascii.draw(line));
 	}
 
@@ -117,8 +117,8 @@ class SkeletonizeTest {
 			##############
 			##############
 			"""));
-		assertEquals(3, count(EndPixels.of(line)), Ascii.draw(line));
-		assertEquals(1, ConnectedComponents.of(BranchPixels.of(line)).objects().size(),
+		assertEquals(3, count(SkeletonNodes.ends(line)), Ascii.draw(line));
+		assertEquals(1, ConnectedComponents.of(SkeletonNodes.branches(line)).objects().size(),
 			Ascii.draw(line));
 	}
 
@@ -162,8 +162,8 @@ class SkeletonizeTest {
 			bits[i] = Math.hypot(beyond, c * y - s * x) <= 2.5;
 		}
 		final Img<BitType> line = Skeletonize.thin(Pixels.mask(bits, size));
-		assertEquals(2, count(EndPixels.of(line)), Ascii.draw(line));
-		assertEquals(0, count(BranchPixels.of(line)), Ascii.draw(line));
+		assertEquals(2, count(SkeletonNodes.ends(line)), Ascii.draw(line));
+		assertEquals(0, count(SkeletonNodes.branches(line)), Ascii.draw(line));
 		final boolean[] kept = Pixels.bits(line);
 		for (int i = 0; i < kept.length; i++)
 			if (kept[i])
@@ -174,7 +174,7 @@ class SkeletonizeTest {
 	/** Removing any pixel but an end parts the line or opens a hole. */
 	private static void assertNothingMoreCanGo(final Img<BitType> line, final String drawn) {
 		final boolean[] bits = Pixels.bits(line);
-		final boolean[] ends = Pixels.bits(EndPixels.of(line));
+		final boolean[] ends = Pixels.bits(SkeletonNodes.ends(line));
 		final int width = Pixels.width(line);
 		final int parts = ConnectedComponents.of(line).objects().size();
 		final int holes = holes(line);

@@ -9,7 +9,6 @@ import java.util.Locale;
 import io.github.knotresolver.io.FilamentMeasurements;
 import io.github.knotresolver.io.MeasurementTables;
 import io.github.knotresolver.io.OriginalFiles;
-import io.github.knotresolver.io.OriginalStatistics;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.measure.MeasuredFilament;
 import io.github.knotresolver.measure.MovieMeasurements;
@@ -60,7 +59,7 @@ public final class MeasurementFolder {
 			final String suffix = MeasuredFilament.suffix(f.filament());
 			final MovieMeasurements m = f.measurements();
 			if (original)
-				OriginalStatistics.write(
+				OriginalFiles.writeStatistics(
 					folder.path().resolve(OriginalFiles.STATISTICS.replace(".", suffix + ".")),
 					f.originalQuantities(), m.calibration(), m.calibration().frequencyUnit());
 			if (plots)

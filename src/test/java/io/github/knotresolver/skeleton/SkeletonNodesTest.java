@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.Ascii;
 
-class BranchPixelsTest {
+class SkeletonNodesTest {
 
 	private static final Img<BitType> TEE = Ascii.mask("""
 		...#...
@@ -26,7 +26,7 @@ class BranchPixelsTest {
 			...#...
 			..###..
 			.......
-			""")), Ascii.draw(BranchPixels.of(TEE)));
+			""")), Ascii.draw(SkeletonNodes.branches(TEE)));
 	}
 
 	@Test
@@ -36,12 +36,12 @@ class BranchPixelsTest {
 			.......
 			#.....#
 			.......
-			""")), Ascii.draw(EndPixels.of(TEE)));
+			""")), Ascii.draw(SkeletonNodes.ends(TEE)));
 	}
 
 	@Test
 	void singlePixelIsNeither() {
-		assertEquals(".", Ascii.draw(BranchPixels.of(Ascii.mask("#"))));
-		assertEquals(".", Ascii.draw(EndPixels.of(Ascii.mask("#"))));
+		assertEquals(".", Ascii.draw(SkeletonNodes.branches(Ascii.mask("#"))));
+		assertEquals(".", Ascii.draw(SkeletonNodes.ends(Ascii.mask("#"))));
 	}
 }
