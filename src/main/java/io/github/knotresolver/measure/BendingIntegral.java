@@ -11,9 +11,6 @@ package io.github.knotresolver.measure;
  */
 final class BendingIntegral {
 
-	/** Length over which errors of curvature are correlated, in windows. */
-	private static final double CORRELATED = 0.2;
-
 	private final Samples raw;
 	private final double[] curvature;
 	private final double[] variance;
@@ -48,7 +45,7 @@ final class BendingIntegral {
 			energy += (k * k - v) * ds / 2;
 			seen += k * k * ds / 2;
 			taken += (v / 2 + crossed[c]) * ds;
-			straight += v * v * ds * CORRELATED * window / 2;
+			straight += v * v * ds * MeasureTuning.CURVATURE_CORRELATED * window / 2;
 			smoothed += (k * bias.curvatureDifference(c) - crossed[c]) * ds;
 			weights.add(c, k * ds, influence);
 			influence[i] += k * k * k * ds / 2;

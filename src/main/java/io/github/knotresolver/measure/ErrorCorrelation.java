@@ -26,14 +26,6 @@ record ErrorCorrelation(boolean gaussian, double range) {
 
 	static final ErrorCorrelation NONE = new ErrorCorrelation(false, 0);
 
-	/** Lags that are compared. */
-	private static final int LAGS = 12;
-	private static final double FIRST_RANGE = 0.4, BLUR = 2, FACTOR = 1.12;
-	/** Longest range, in windows. */
-	private static final double LONGEST = 0.35;
-	/** Fewer residuals say nothing about their correlation. */
-	private static final int FEWEST = 30;
-
 	/** Correlation of points that are {@code steps} apart. */
 	double at(final double steps) {
 		if (range == 0)
@@ -53,11 +45,11 @@ record ErrorCorrelation(boolean gaussian, double range) {
 	/** Whether the errors are known to come from a fit. */
 	enum Kind {
 		/** Nothing is known. */
-		ANY(FIRST_RANGE, false, true),
+		ANY(MeasureTuning.FIRST_RANGE, false, true),
 		/** Smooth, over whatever range. */
-		SMOOTH(FIRST_RANGE, true),
+		SMOOTH(MeasureTuning.FIRST_RANGE, true),
 		/** Of a fit to an image: smooth over the image's blur at least. */
-		FITTED(BLUR, true);
+		FITTED(MeasureTuning.BLUR_RANGE, true);
 
 		private final double shortest;
 		private final boolean[] shapes;
@@ -76,18 +68,18 @@ record ErrorCorrelation(boolean gaussian, double range) {
 	 */
 	static ErrorCorrelation of(final Collection<SmoothedCurve> curves, final LocalFilter filter,
 		final Kind kind) {
-		final Residuals pooled = new Residuals(LAGS);
+		final Residuals pooled = new Residuals(MeasureTuning.LAGS);
 		for (final SmoothedCurve c : curves)
 			c.addResiduals(pooled);
 		final double[] seen = pooled.autocorrelation();
-		if (pooled.count() < FEWEST || seen[0] == 0)
+		if (pooled.count() < MeasureTuning.FEWEST_RESIDUALS || seen[0] == 0)
 			return NONE;
 		final double[] response = filter.residualResponse();
 		ErrorCorrelation best = NONE;
 		double least = kind == Kind.FITTED
 			? Double.POSITIVE_INFINITY
 			: mismatch(seen, NONE, response);
-		for (double range = kind.shortest; range <= LONGEST * filter.points(); range *= FACTOR)
+		for (double range = kind.shortest; range <= MeasureTuning.LONGEST_RANGE * filter.points(); range *= MeasureTuning.RANGE_STEP)
 			for (final boolean gaussian : kind.shapes) {
 				Cancellation.check();
 				final ErrorCorrelation trial = new ErrorCorrelation(gaussian, range);

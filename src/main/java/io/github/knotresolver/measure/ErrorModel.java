@@ -20,9 +20,6 @@ import io.github.knotresolver.measure.ErrorCorrelation.Kind;
  */
 record ErrorModel(NoiseGain fit, NoiseGain residual, boolean held) {
 
-	/** Fewer lengths do not tell whether they scatter. */
-	private static final int FEWEST = 5;
-
 	/**
 	 * Learns how alike neighbouring points err from the residuals of all contours
 	 * together. Contours that have been held at one length come from a fit, whose
@@ -56,7 +53,7 @@ record ErrorModel(NoiseGain fit, NoiseGain residual, boolean held) {
 	}
 
 	private boolean isHeld(final Collection<SmoothedContour> contours) {
-		if (contours.size() < FEWEST)
+		if (contours.size() < MeasureTuning.FEWEST_LENGTHS)
 			return false;
 		final double length = median(contours, SmoothedContour::traced);
 		final double scatter = RobustStatistics.MAD_TO_SD

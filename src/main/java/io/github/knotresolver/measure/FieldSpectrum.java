@@ -7,10 +7,6 @@ import java.util.Optional;
 /** Power of a kymograph's oscillation in time, summed along the filament. */
 final class FieldSpectrum {
 
-	private static final int OVERSAMPLING = 8;
-	/** At most this many places are looked at. */
-	private static final int PLACES = 40;
-
 	private final Kymograph field;
 	private final double leastFrames;
 
@@ -22,16 +18,16 @@ final class FieldSpectrum {
 	/** @return whether enough frames reach a place */
 	static boolean isReached(final double[] series, final double leastFrames) {
 		final long present = Arrays.stream(series).filter(Double::isFinite).count();
-		return present >= Math.max(TimeSeries.FEWEST, leastFrames * series.length);
+		return present >= Math.max(MeasureTuning.FEWEST_FRAMES, leastFrames * series.length);
 	}
 
 	/** @return the frequency of the highest power; empty if nothing moves */
 	Optional<Double> peak() {
 		final double interval = field.interval();
 		// One grid for all places, from the duration of the whole movie.
-		final FrequencyGrid grid = FrequencyGrid.over(field.frames(), OVERSAMPLING, interval);
+		final FrequencyGrid grid = FrequencyGrid.over(field.frames(), MeasureTuning.FIELD_OVERSAMPLING, interval);
 		final double[] power = new double[grid.size()];
-		for (int j = 0; j < field.columns(); j += Math.max(1, field.columns() / PLACES)) {
+		for (int j = 0; j < field.columns(); j += Math.max(1, field.columns() / MeasureTuning.FIELD_PLACES)) {
 			final double[] values = field.series(j);
 			if (!isReached(values, leastFrames))
 				continue;
@@ -47,7 +43,7 @@ final class FieldSpectrum {
 		return power[best] < 1e-20
 			? Optional.empty()
 			: Optional.of(grid.frequency(best)
-				+ summit(power, best) / (OVERSAMPLING * field.frames() * interval));
+				+ summit(power, best) / (MeasureTuning.FIELD_OVERSAMPLING * field.frames() * interval));
 	}
 
 	/** Where a parabola through the peak and its neighbours is highest. */

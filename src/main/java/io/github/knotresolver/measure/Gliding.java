@@ -20,9 +20,6 @@ import io.github.knotresolver.model.Calibration;
  */
 public record Gliding(double path, double speed, int steps) {
 
-	/** Points of a contour that are compared. */
-	private static final int POINTS = 32;
-
 	/**
 	 * O(frames).
 	 *
@@ -52,14 +49,14 @@ public record Gliding(double path, double speed, int steps) {
 
 	/** How far a curve has slid along itself, in pixels. */
 	private static double slide(final Polyline before, final Polyline after) {
-		final Polyline a = before.divided(POINTS), b = after.divided(POINTS);
+		final Polyline a = before.divided(MeasureTuning.GLIDING_POINTS), b = after.divided(MeasureTuning.GLIDING_POINTS);
 		double sum = 0;
-		for (int i = 0; i < POINTS; i++) {
+		for (int i = 0; i < MeasureTuning.GLIDING_POINTS; i++) {
 			final double ux = b.x(i + 1) - b.x(i), uy = b.y(i + 1) - b.y(i);
 			final double mx = 0.5 * (b.x(i) + b.x(i + 1) - a.x(i) - a.x(i + 1));
 			final double my = 0.5 * (b.y(i) + b.y(i + 1) - a.y(i) - a.y(i + 1));
 			sum += (mx * ux + my * uy) / Math.max(1e-9, Math.hypot(ux, uy));
 		}
-		return sum / POINTS;
+		return sum / MeasureTuning.GLIDING_POINTS;
 	}
 }

@@ -12,14 +12,6 @@ import java.util.Arrays;
 final class NoiseGain {
 
 	private static final int PARTS = 8, DERIVATIVES = 3, CURVATURE = 2;
-	/** Smallest part of the noise that a residual is taken to show. */
-	private static final double LEAST_FREEDOM = 0.05;
-
-	/**
-	 * How much larger the errors of a smooth fit are at its ends, where it is held
-	 * from one side only.
-	 */
-	private static final double LOOSE_END = 2;
 
 	private final ErrorCorrelation correlation;
 	private final double[][] fitted = new double[DERIVATIVES][PARTS + 1];
@@ -71,7 +63,7 @@ final class NoiseGain {
 		for (int j = 0; j < points; j++) {
 			final double d = (points - 1 - j) / Math.max(1e-9, correlation.range());
 			size[j] = end && correlation.gaussian()
-				? 1 + (LOOSE_END - 1) * Math.exp(-d * d / 2)
+				? 1 + (MeasureTuning.LOOSE_END - 1) * Math.exp(-d * d / 2)
 				: 1;
 		}
 		return size;
@@ -124,7 +116,7 @@ final class NoiseGain {
 
 	/** @return variance of a residual for errors of variance 1 */
 	double freedom(final double part) {
-		return Math.max(LEAST_FREEDOM, at(freedom, part));
+		return Math.max(MeasureTuning.LEAST_FREEDOM, at(freedom, part));
 	}
 
 	private static double at(final double[] table, final double part) {

@@ -6,9 +6,6 @@ import java.util.Arrays;
 /** Amplitude and phase of one frequency along the filament. */
 final class PhaseProfile {
 
-	/** Length over which neighbouring places repeat each other's errors, px. */
-	private static final int REPEATED = 12;
-
 	private final double[] place;
 	private final double[] amplitude;
 	private final double[] phase;
@@ -92,6 +89,6 @@ final class PhaseProfile {
 
 	/** By how much errors of the slope grow because neighbours err alike. */
 	double alike() {
-		return Math.sqrt(Math.min(REPEATED, Math.max(1, place.length / 4.0)));
+		return Math.sqrt(Math.min(MeasureTuning.REPEATED, Math.max(1, place.length / 4.0)));
 	}
 }

@@ -18,9 +18,7 @@ import io.github.knotresolver.progress.Workers;
  */
 final class RedNoiseTest {
 
-	private static final int SIMULATIONS = 199;
 	private static final long SEED = 20240229;
-	private static final int OVERSAMPLING = 2;
 
 	private final TimeSeries series;
 	private final SineFits fits;
@@ -29,7 +27,7 @@ final class RedNoiseTest {
 	RedNoiseTest(final TimeSeries series) {
 		this.series = series;
 		this.fits = SineFits.tapered(series,
-			FrequencyGrid.over(series.frames(), OVERSAMPLING, series.interval()));
+			FrequencyGrid.over(series.frames(), MeasureTuning.NOISE_OVERSAMPLING, series.interval()));
 	}
 
 	/** @return the part of simulations that stand out as much, never quite 0 */
@@ -37,12 +35,12 @@ final class RedNoiseTest {
 		final double observed = prominence(series);
 		final double rho = series.correlation();
 		final Random random = new Random(SEED);
-		final TimeSeries[] noise = new TimeSeries[SIMULATIONS];
+		final TimeSeries[] noise = new TimeSeries[MeasureTuning.SIMULATIONS];
 		Arrays.setAll(noise, i -> simulated(rho, random));
 		final long asHigh = Workers.present()
-			.map(SIMULATIONS, i -> prominence(noise[i].detrended()) >= observed).stream()
+			.map(MeasureTuning.SIMULATIONS, i -> prominence(noise[i].detrended()) >= observed).stream()
 			.filter(higher -> higher).count();
-		return (asHigh + 1) / (SIMULATIONS + 1.0);
+		return (asHigh + 1) / (MeasureTuning.SIMULATIONS + 1.0);
 	}
 
 	/** Power of the highest peak over the noise's power there. */

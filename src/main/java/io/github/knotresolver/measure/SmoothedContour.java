@@ -15,19 +15,11 @@ import io.github.knotresolver.model.Calibration;
  */
 record SmoothedContour(SmoothedCurve curve, SmoothedCurve wide, double traced) {
 
-	/**
-	 * Errors that are alike over the microscope's blur leave no residual in a
-	 * narrower window, in pixels.
-	 */
-	private static final double NOISE_WINDOW_PX = 12;
-	/** A window holds at least this many points more than the order. */
-	private static final int SPARE_POINTS = 2;
-
 	static SmoothedContour of(final Polyline contourPx, final Calibration c,
 		final Smoothing smoothing) {
 		final Samples raw = Samples.of(contourPx, c.pixelSize());
 		final int order = Math.min(smoothing.order(), contourPx.size() - 1);
-		final int least = order + SPARE_POINTS;
+		final int least = order + MeasureTuning.SPARE_POINTS;
 		final double window = Math.min(smoothing.window(), raw.length());
 		// Noise makes a chain of points longer than its curve; the window is
 		// meant in lengths of the curve, so arc length is found first.
@@ -36,7 +28,7 @@ record SmoothedContour(SmoothedCurve curve, SmoothedCurve wide, double traced) {
 		final Samples samples = raw.over(arc);
 		final SmoothedCurve curve = SmoothedCurve.of(samples, width, order, least).withBias(width,
 			order, least);
-		final double wide = Math.min(length, NOISE_WINDOW_PX * c.pixelSize());
+		final double wide = Math.min(length, MeasureTuning.NOISE_WINDOW * c.pixelSize());
 		return new SmoothedContour(curve,
 			wide > width ? SmoothedCurve.of(samples, wide, order, least) : curve, raw.length());
 	}

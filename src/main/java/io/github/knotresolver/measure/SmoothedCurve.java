@@ -6,11 +6,6 @@ package io.github.knotresolver.measure;
  */
 final class SmoothedCurve {
 
-	/** How often in a window the bias is looked at. */
-	private static final int COMPARED = 8;
-	/** Farther out in its window a point counts as near an end. */
-	private static final double MIDDLE = 0.1;
-
 	private final Samples raw;
 	private final double windowPoints;
 	private final double[] x;
@@ -58,7 +53,7 @@ final class SmoothedCurve {
 	 */
 	SmoothedCurve withBias(final double window, final int order, final int leastPoints) {
 		final LocalPolynomial fit = new LocalPolynomial(order + 2);
-		final int stride = Math.max(1, (int) (windowPoints / COMPARED));
+		final int stride = Math.max(1, (int) (windowPoints / MeasureTuning.COMPARED));
 		for (int i = 0; i < raw.size(); i++) {
 			if (i % stride != 0) {
 				bias.copy(i - 1, i);
@@ -157,9 +152,9 @@ final class SmoothedCurve {
 	/** Adds the residuals of the points away from the ends. */
 	void addResiduals(final Residuals pooled) {
 		int from = 0, to = x.length;
-		while (from < to && part[from] > MIDDLE)
+		while (from < to && part[from] > MeasureTuning.MIDDLE)
 			from++;
-		while (to > from && part[to - 1] > MIDDLE)
+		while (to > from && part[to - 1] > MeasureTuning.MIDDLE)
 			to--;
 		pooled.add(across(), from, to);
 	}

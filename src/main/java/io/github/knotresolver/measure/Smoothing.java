@@ -22,15 +22,6 @@ public record Smoothing(double window, int order) {
 	/** Cubic: bends and turns of bending are followed, ends stay calm. */
 	public static final int DEFAULT_ORDER = 3;
 
-	/** Neighbours within this many pixels are left out with a point. */
-	private static final double NEIGHBOURS_PX = 1.5;
-	/** Points this many pixels away do not err alike on a traced contour. */
-	private static final double FAR_PX = 5;
-	/** So much larger is the error of foretelling a point from far neighbours. */
-	private static final double HOPELESS = 6;
-	/** So many contours tell how alike errors are. */
-	private static final int CONTOURS = 60;
-
 	public Smoothing {
 		if (!(window > 0) || Double.isInfinite(window))
 			throw new UserException("The smoothing window must be above 0, but is " + window + ".");
@@ -63,17 +54,17 @@ public record Smoothing(double window, int order) {
 				+ " contours has three points or more, so there is nothing to smooth; check whether any frame was resolved.");
 		final WindowChoice choice = new WindowChoice(samples, c.pixelSize());
 		final List<Polyline> some = sample(contoursPx);
-		final Smoothing narrow = choice.best(NEIGHBOURS_PX * c.pixelSize());
+		final Smoothing narrow = choice.best(MeasureTuning.NEIGHBOURS * c.pixelSize());
 		if (narrow.errors(some, c).held())
 			return narrow;
-		final Smoothing wide = choice.best(FAR_PX * c.pixelSize());
+		final Smoothing wide = choice.best(MeasureTuning.FAR * c.pixelSize());
 		// Where the filament itself bends too much to be foretold from afar, what
 		// looks like errors that are alike is the filament.
-		if (choice.error(wide, FAR_PX * c.pixelSize()) > HOPELESS
-			* choice.error(narrow, NEIGHBOURS_PX * c.pixelSize()))
+		if (choice.error(wide, MeasureTuning.FAR * c.pixelSize()) > MeasureTuning.FAR_WORSE
+			* choice.error(narrow, MeasureTuning.NEIGHBOURS * c.pixelSize()))
 			return narrow;
 		final double alike = wide.errors(some, c).alike() * spacing(samples) / c.pixelSize();
-		return alike > NEIGHBOURS_PX ? choice.best(alike * c.pixelSize()) : narrow;
+		return alike > MeasureTuning.NEIGHBOURS ? choice.best(alike * c.pixelSize()) : narrow;
 	}
 
 	private ErrorModel errors(final List<Polyline> contoursPx, final Calibration c) {
@@ -84,7 +75,7 @@ public record Smoothing(double window, int order) {
 	private static List<Polyline> sample(final Collection<Polyline> contoursPx) {
 		final List<Polyline> all = contoursPx.stream().filter(ContourGeometry::isMeasurable)
 			.toList();
-		final int stride = (all.size() + CONTOURS - 1) / CONTOURS;
+		final int stride = (all.size() + MeasureTuning.WINDOW_CONTOURS - 1) / MeasureTuning.WINDOW_CONTOURS;
 		return IntStream.range(0, all.size() / stride).mapToObj(i -> all.get(i * stride)).toList();
 	}
 

@@ -16,9 +16,6 @@ package io.github.knotresolver.measure;
  */
 public record Spectrum(double[] frequency, double[] amplitude) {
 
-	/** Frequencies for each independent one. */
-	private static final int OVERSAMPLING = 4;
-
 	/**
 	 * @param values the quantity in each frame, NaN where it is missing
 	 * @param interval time between frames, above 0
@@ -27,13 +24,13 @@ public record Spectrum(double[] frequency, double[] amplitude) {
 	 */
 	public static Spectrum of(final double[] values, final double interval) {
 		final TimeSeries series = TimeSeries.of(values, interval);
-		if (series.size() < TimeSeries.FEWEST)
+		if (series.size() < MeasureTuning.FEWEST_FRAMES)
 			return new Spectrum(new double[0], new double[0]);
 		final TimeSeries rest = series.detrended();
 		if (!rest.isVaried())
 			return new Spectrum(new double[0], new double[0]);
 		final SineFits fits = SineFits.tapered(rest,
-			FrequencyGrid.over(rest.frames(), OVERSAMPLING, interval));
+			FrequencyGrid.over(rest.frames(), MeasureTuning.OVERSAMPLING, interval));
 		return new Spectrum(fits.grid().frequencies(), fits.amplitudes(rest));
 	}
 

@@ -9,9 +9,6 @@ import java.util.Arrays;
  */
 final class TimeSeries {
 
-	/** Below this a spectrum has more unknowns than values. */
-	static final int FEWEST = 8;
-
 	private final double[] time;
 	private final double[] value;
 	private final double interval;
@@ -71,7 +68,7 @@ final class TimeSeries {
 	}
 
 	boolean isVaried() {
-		return size() >= FEWEST && variance() > 0;
+		return size() >= MeasureTuning.FEWEST_FRAMES && variance() > 0;
 	}
 
 	/** @return the values less their straight line of least squares */

@@ -27,28 +27,22 @@ import org.apache.commons.math3.stat.regression.SimpleRegression;
 public record TravellingWave(double frequency, double speed, double speedError, double wavelength,
 	double amplitude, double place, double coherence) {
 
-	/** Places whose sine is smaller than this part of the largest have no phase. */
-	private static final double LEAST_AMPLITUDE = 0.2;
-	/** Places with fewer frames than this part of the movie are left out. */
-	private static final double LEAST_FRAMES = 0.7;
-	private static final int FEWEST_PLACES = 5;
-
 	/**
 	 * @param field tangent angle or curvature
 	 * @return its wave; empty if too few frames or places move
 	 */
 	public static Optional<TravellingWave> of(final Kymograph field) {
-		final Optional<Double> frequency = new FieldSpectrum(field, LEAST_FRAMES).peak();
+		final Optional<Double> frequency = new FieldSpectrum(field, MeasureTuning.LEAST_FRAMES).peak();
 		return frequency.flatMap(f -> at(field, f));
 	}
 
 	private static Optional<TravellingWave> at(final Kymograph field, final double frequency) {
-		final PhaseProfile profile = PhaseProfile.of(field, frequency, LEAST_FRAMES);
+		final PhaseProfile profile = PhaseProfile.of(field, frequency, MeasureTuning.LEAST_FRAMES);
 		final SimpleRegression line = new SimpleRegression();
 		for (int i = 0; i < profile.size(); i++)
-			if (profile.amplitude(i) >= LEAST_AMPLITUDE * profile.largest())
+			if (profile.amplitude(i) >= MeasureTuning.LEAST_AMPLITUDE * profile.largest())
 				line.addData(profile.place(i), profile.phase(i));
-		if (line.getN() < FEWEST_PLACES || line.getSlope() == 0)
+		if (line.getN() < MeasureTuning.FEWEST_PLACES || line.getSlope() == 0)
 			return Optional.empty();
 		final double speed = 2 * Math.PI * frequency / line.getSlope();
 		final double relative = Math.hypot(

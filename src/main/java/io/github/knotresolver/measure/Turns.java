@@ -8,8 +8,6 @@ import java.util.Optional;
 /** Unwraps tangent angles from frame to frame. */
 final class Turns {
 
-	private static final int PLACES = 20;
-
 	private Turns() {
 	}
 
@@ -26,7 +24,7 @@ final class Turns {
 			final double[] angles = profile(contours.get(i).orElseThrow());
 			if (last != null)
 				turns[i] = turns(angles, last);
-			for (int k = 0; k < PLACES; k++)
+			for (int k = 0; k < MeasureTuning.TURN_PLACES; k++)
 				angles[k] += 2 * Math.PI * turns[i];
 			last = angles;
 		}
@@ -34,18 +32,18 @@ final class Turns {
 	}
 
 	private static int turns(final double[] angles, final double[] last) {
-		final double[] difference = new double[PLACES];
-		for (int k = 0; k < PLACES; k++)
+		final double[] difference = new double[MeasureTuning.TURN_PLACES];
+		for (int k = 0; k < MeasureTuning.TURN_PLACES; k++)
 			difference[k] = last[k] - angles[k];
 		Arrays.sort(difference);
-		return (int) Math.rint(difference[PLACES / 2] / (2 * Math.PI));
+		return (int) Math.rint(difference[MeasureTuning.TURN_PLACES / 2] / (2 * Math.PI));
 	}
 
 	/** Angles at equal parts of the contour. */
 	private static double[] profile(final ContourGeometry g) {
-		final double[] angle = g.tangentAngle(), profile = new double[PLACES];
-		for (int k = 0; k < PLACES; k++)
-			profile[k] = angle[k * (angle.length - 1) / (PLACES - 1)];
+		final double[] angle = g.tangentAngle(), profile = new double[MeasureTuning.TURN_PLACES];
+		for (int k = 0; k < MeasureTuning.TURN_PLACES; k++)
+			profile[k] = angle[k * (angle.length - 1) / (MeasureTuning.TURN_PLACES - 1)];
 		return profile;
 	}
 }

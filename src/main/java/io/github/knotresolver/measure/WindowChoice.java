@@ -8,21 +8,6 @@ import io.github.knotresolver.progress.Cancellation;
 /** Cross-validation of the smoothing's window. */
 final class WindowChoice {
 
-	/** The narrowest window, in pixels: less is inside the microscope's blur. */
-	private static final double NARROWEST_PX = 8;
-	private static final double STEP = 1.2;
-	/**
-	 * Part of the best window for the points that is used. The best for the
-	 * curvature of a cubic is (1/2)^(1/9) = 0.93 of it (Fan and Gijbels 1995,
-	 * doi:10.1111/j.2517-6161.1995.tb02034.x, ratio of adjusting constants); a
-	 * little less keeps the bias below the noise, so that standard errors hold
-	 * (Hall 1992, Annals of Statistics 20, 695).
-	 */
-	private static final double NARROWER = 0.85;
-	/** Wider windows are not tried once the error has grown by this much. */
-	private static final double HOPELESS = 4;
-	/** Points that are predicted, over all contours. */
-	private static final int PREDICTIONS = 1200;
 	private static final int ORDER = Smoothing.DEFAULT_ORDER;
 
 	private final List<Samples> contours;
@@ -33,25 +18,25 @@ final class WindowChoice {
 		this.contours = contours;
 		this.pixelSize = pixelSize;
 		final int points = contours.stream().mapToInt(Samples::size).sum();
-		this.stride = Math.max(1, points / PREDICTIONS);
+		this.stride = Math.max(1, points / MeasureTuning.PREDICTIONS);
 	}
 
 	/** @param gap neighbours within this distance are left out with a point */
 	Smoothing best(final double gap) {
 		final double widest = contours.stream().mapToDouble(Samples::length).max().orElseThrow();
-		final double narrowest = Math.min(widest, NARROWEST_PX * pixelSize);
+		final double narrowest = Math.min(widest, MeasureTuning.NARROWEST_WINDOW * pixelSize);
 		double best = narrowest, least = Double.POSITIVE_INFINITY;
-		for (double w = narrowest; w <= widest * (1 + 1e-9); w *= STEP) {
+		for (double w = narrowest; w <= widest * (1 + 1e-9); w *= MeasureTuning.WINDOW_STEP) {
 			Cancellation.check();
 			final double error = predictionError(w, gap);
-			if (error > HOPELESS * least)
+			if (error > MeasureTuning.WINDOW_HOPELESS * least)
 				break;
 			if (error < least) {
 				least = error;
 				best = w;
 			}
 		}
-		return new Smoothing(Math.max(narrowest, best * NARROWER), ORDER);
+		return new Smoothing(Math.max(narrowest, best * MeasureTuning.NARROWER), ORDER);
 	}
 
 	/** Mean squared error of prediction with a smoothing that was chosen. */

@@ -14,12 +14,6 @@ import io.github.knotresolver.track.FrameView;
  */
 final class BlankFrames {
 
-	/** Less than this part of the neighbours' light is none. */
-	private static final double NO_LIGHT = 0.25;
-
-	/** A filament may have moved so far (working pixels) since the nearest frame that shows it. */
-	private static final int MOTION = 8;
-
 	private final List<FrameView> frames;
 
 	/** @param frames in order of time */
@@ -46,8 +40,8 @@ final class BlankFrames {
 			return false;
 		final FrameView other = frames.get(near);
 		final boolean[] band = Dilation.square(Pixels.bits(other.mask()), other.light().width(),
-			MOTION);
-		return light(frames.get(t), band) < NO_LIGHT * light(other, band);
+			SessionTuning.BLANK_MOTION);
+		return light(frames.get(t), band) < SessionTuning.NO_LIGHT * light(other, band);
 	}
 
 	/** @return the nearest frame in time that shows a line, the earlier of two; -1 if there is none */

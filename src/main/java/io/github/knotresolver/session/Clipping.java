@@ -33,19 +33,10 @@ import io.github.knotresolver.track.FrameView;
  */
 record Clipping(double ceiling, double share, double most) {
 
-	/** More pixels have the largest value than come within this share of the range below it. */
-	private static final double BELOW = 0.1;
-
-	/** In a movie that is not clipped, few of all pixels share the largest value, ... */
-	private static final double CLIPPED = 0.003;
-
-	/** ... and few of those along its lines. */
-	private static final double CLIPPED_LENGTH = 0.25;
-
 	/** Looks at all pixels of some frames. */
 	static Clipping of(final Movie movie, final List<Integer> frames) {
 		return of(frames.stream().map(frame -> Pixels.doubles(movie.frame(frame - 1))).toList(),
-			CLIPPED);
+			SessionTuning.CLIPPED_PIXELS);
 	}
 
 	/**
@@ -58,7 +49,7 @@ record Clipping(double ceiling, double share, double most) {
 	static Clipping along(final Movie movie, final List<FrameView> frames,
 		final WorkingPixels pixels) {
 		return of(frames.stream().map(frame -> crests(movie, frame, pixels)).toList(),
-			CLIPPED_LENGTH);
+			SessionTuning.CLIPPED_LENGTH);
 	}
 
 	/** The brightest (of dark lines, the darkest) pixels at each pixel of the skeleton. */
@@ -101,7 +92,7 @@ record Clipping(double ceiling, double share, double most) {
 				largest = value > largest ? value : largest;
 				smallest = value < smallest ? value : smallest;
 			}
-		final double below = largest - BELOW * (largest - smallest);
+		final double below = largest - SessionTuning.BELOW_CEILING * (largest - smallest);
 		long at = 0, justBelow = 0, pixels = 0;
 		for (final double[] frame : values)
 			for (final double value : frame) {

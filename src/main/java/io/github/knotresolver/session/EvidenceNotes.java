@@ -21,12 +21,6 @@ final class EvidenceNotes {
 
 	static final String DARK = "Polarity: dark lines on a brighter background; the movie is inverted for the search.";
 
-	/** Lines of less than this many times their noise are faint. */
-	private static final double FAINT = 5;
-
-	/** A line of this part of the longest one's length is an object of its own. */
-	private static final double OBJECT = 0.4;
-
 	private EvidenceNotes() {
 	}
 
@@ -46,7 +40,7 @@ final class EvidenceNotes {
 			notes.add(String.format(Locale.ROOT,
 				"Width: lines are %.1f px wide; the movie is resolved in blocks of %d x %d pixels.",
 				a.width(), a.binning(), a.binning()));
-		if (a.hasReference() && a.clarity() < FAINT)
+		if (a.hasReference() && a.clarity() < SessionTuning.FAINT)
 			notes.add(String.format(Locale.ROOT,
 				"Few photons: lines are only %.1f times as strong as their noise; wider filters are used, and frames may be doubtful.",
 				a.clarity()));
@@ -90,7 +84,7 @@ final class EvidenceNotes {
 			.map(s -> ConnectedComponents.of(s).objects())
 			.orElseGet(() -> ConnectedComponents.of(frame.mask()).objects()).stream()
 			.mapToInt(MaskObject::pixels).sorted().toArray();
-		return (int) Arrays.stream(lengths).filter(n -> n > OBJECT * lengths[lengths.length - 1])
+		return (int) Arrays.stream(lengths).filter(n -> n > SessionTuning.OBJECT * lengths[lengths.length - 1])
 			.count();
 	}
 }

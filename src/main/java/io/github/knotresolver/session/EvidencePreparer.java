@@ -27,9 +27,6 @@ final class EvidencePreparer {
 
 	private static final int MEGABYTE = 1 << 20;
 
-	/** Pixels around what was found that are kept. */
-	private static final int MARGIN = 24;
-
 	private final Movie movie;
 	private final Polarity polarity;
 	private final Workers workers;
@@ -54,7 +51,7 @@ final class EvidencePreparer {
 		final List<FrameEvidence> evidence = threads.map("Finding lines", progress, frames.size(),
 			t -> finder.find(movie.frame(frames.get(t) - 1)));
 		final WorkingPixels blocks = new WorkingPixels(found.appearance().binning(), 0, 0);
-		final Box box = Box.around(evidence, told.stream().map(blocks::in).toList(), MARGIN);
+		final Box box = Box.around(evidence, told.stream().map(blocks::in).toList(), SessionTuning.BOX_MARGIN);
 		final FrameLights lights = new FrameLights(movie, box, Runtime.getRuntime().maxMemory());
 		final List<FrameView> views = workers.map("Thinning", progress, frames.size(), t -> {
 			final FrameEvidence part = evidence.get(t).part(box.x(), box.y(), box.width(),

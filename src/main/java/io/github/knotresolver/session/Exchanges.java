@@ -21,9 +21,6 @@ import io.github.knotresolver.model.UserException;
  */
 final class Exchanges {
 
-	/** A filament is meant that passes this near (pixels) to the place that is told. */
-	private static final double NEAR = 4;
-
 	private Exchanges() {
 	}
 
@@ -53,11 +50,11 @@ final class Exchanges {
 	private static FilamentTrack other(final List<FilamentTrack> tracks, final Constraint c) {
 		final Point place = c.shape().last();
 		return tracks.stream().filter(t -> t.id() != c.filament())
-			.filter(t -> distance(t, c.frame(), place) <= NEAR)
+			.filter(t -> distance(t, c.frame(), place) <= SessionTuning.SHOWN_EXCHANGE)
 			.min(Comparator.comparingDouble(t -> distance(t, c.frame(), place)))
 			.orElseThrow(() -> new UserException("corrections exchange filament " + c.filament()
 				+ " from frame " + c.frame() + " on with the one that passes " + place
-				+ ", but there no other filament does within " + Math.round(NEAR)
+				+ ", but there no other filament does within " + Math.round(SessionTuning.SHOWN_EXCHANGE)
 				+ " px; name a place on the contour of the other one."));
 	}
 

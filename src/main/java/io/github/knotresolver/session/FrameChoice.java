@@ -16,9 +16,6 @@ import io.github.knotresolver.model.UserException;
 /** Which frames are to be resolved, once movie and parameters are known to fit together. */
 public record FrameChoice(Movie movie, Settings parameters) {
 
-	/** A filament cannot be longer than this many times the picture's width and height. */
-	private static final double LONGEST = 6;
-
 	/**
 	 * @return 1-based numbers of the frames to resolve, rising, at least one
 	 * @throws UserException if the parameters name a frame, a place or a length
@@ -74,7 +71,7 @@ public record FrameChoice(Movie movie, Settings parameters) {
 	}
 
 	private void requirePossible(final double length) {
-		if (length > LONGEST * (movie.width() + movie.height()))
+		if (length > SessionTuning.LONGEST_TOLD * (movie.width() + movie.height()))
 			throw new UserException("length is " + ShownNumber.of(length)
 				+ " pixels, which is far too long for an image of " + movie.width() + " x "
 				+ movie.height() + " pixels; give it in the image's unit, "

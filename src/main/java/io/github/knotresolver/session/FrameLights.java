@@ -21,9 +21,6 @@ import io.github.knotresolver.track.FrameView;
  */
 final class FrameLights {
 
-	/** Light reaches this many standard deviations of the line beyond its mask. */
-	private static final double HALO = 3;
-
 	/** The share of Java's memory for all frames. */
 	private static final double SHARE = 0.25;
 
@@ -102,7 +99,7 @@ final class FrameLights {
 		final LineAppearance a = evidence.appearance();
 		final float[] part = box.of(movie.frame(frame - 1), a.binning());
 		final boolean[] lines = Dilation.square(Pixels.bits(evidence.mask()), evidence.width(),
-			(int) Math.ceil(HALO * a.workingSigma()));
+			(int) Math.ceil(SessionTuning.HALO * a.workingSigma()));
 		final float[] background = Background.of(part, box.width(), lines);
 		final float[] light = new float[part.length];
 		for (int i = 0; i < light.length; i++)

@@ -33,11 +33,6 @@ import io.github.knotresolver.track.FrameView;
 /** Walks frames from their pixels to the graphs of their skeletons. */
 final class FramePreparer {
 
-	/** Noise of a stretched frame from which on it is blurred, and by how much (pixels). */
-	private static final double NOISY = 0.15, BLUR = 1;
-
-	private static final int FRAMES_TO_LOOK_AT = 5;
-
 	private final Movie movie;
 	private final FrameCleaner cleaner;
 	private final boolean blurs;
@@ -104,21 +99,21 @@ final class FramePreparer {
 	Img<FloatType> clean(final int frame) {
 		final Img<FloatType> clean = cleaner.clean(movie.frame(frame - 1));
 		return blurs
-			? Pixels.image(GaussianBlur.blur(Pixels.floats(clean), movie.width(), BLUR),
+			? Pixels.image(GaussianBlur.blur(Pixels.floats(clean), movie.width(), SessionTuning.CALM_FRAME),
 				movie.width())
 			: clean;
 	}
 
 	/** Whether single pixels say little: looks at a few frames of the movie. */
 	static boolean isNoisy(final Movie movie) {
-		final int stride = 1 + (movie.size() - 1) / FRAMES_TO_LOOK_AT;
+		final int stride = 1 + (movie.size() - 1) / SessionTuning.NOISE_FRAMES;
 		final double[] noise = IntStream.range(0, movie.size()).filter(t -> t % stride == 0)
 			.mapToDouble(t -> PixelNoise.of(
 				Pixels.doubles(ContrastStretch.saturate(movie.frame(t),
 					FrameCleaner.SATURATED_PERCENT, FrameCleaner.SATURATED_PERCENT)),
 				movie.width()))
 			.toArray();
-		return new Median().evaluate(noise) > NOISY;
+		return new Median().evaluate(noise) > SessionTuning.NOISY_FRAME;
 	}
 
 	/** The frame above its background; pixels without a value are taken for background. */

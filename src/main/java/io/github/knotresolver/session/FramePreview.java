@@ -36,9 +36,6 @@ import io.github.knotresolver.skeleton.Skeletonize;
  */
 public final class FramePreview {
 
-	/** Frames that the check before the work looks at. */
-	public static final int CHECKED = 12;
-
 	private final Movie movie;
 	private final Map<Appearing, AppearanceFinder.Found> known = new HashMap<>();
 	private final Map<Appearing, Bright> bright = new HashMap<>();
@@ -203,7 +200,7 @@ public final class FramePreview {
 	}
 
 	private static List<Integer> few(final List<Integer> frames) {
-		final int count = Math.min(CHECKED, frames.size());
+		final int count = Math.min(SessionTuning.CHECKED, frames.size());
 		return IntStream.range(0, count)
 			.mapToObj(
 				i -> frames.get((int) ((long) i * (frames.size() - 1) / Math.max(1, count - 1))))

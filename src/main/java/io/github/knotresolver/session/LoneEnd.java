@@ -14,26 +14,20 @@ import io.github.knotresolver.track.FrameView;
  */
 final class LoneEnd {
 
-	/** So many of the frames must show one object only, and so many its free end in place. */
-	private static final double MOSTLY = 0.7, USUALLY = 0.6;
-
-	/** The end is in place within this (working pixels). */
-	private static final double NEAR = 6;
-
 	private LoneEnd() {
 	}
 
 	/** @return where the filament is clamped, in the frames' pixels; empty if it does not look like that */
 	static Optional<Point> of(final List<FrameView> frames, final Progress progress) {
 		final long single = frames.stream().filter(f -> EvidenceNotes.objects(f) == 1).count();
-		return single == 0 || single < MOSTLY * frames.size()
+		return single == 0 || single < SessionTuning.PREVIEW_SINGLE * frames.size()
 			? Optional.empty()
 			: new FixedEndFinder(frames, progress).find().filter(end -> isInPlace(end, frames));
 	}
 
 	private static boolean isInPlace(final Point end, final List<FrameView> frames) {
 		return frames.stream().filter(
-			f -> f.graph().freeEnds().stream().anyMatch(n -> n.position().distanceTo(end) <= NEAR))
-			.count() >= USUALLY * frames.size();
+			f -> f.graph().freeEnds().stream().anyMatch(n -> n.position().distanceTo(end) <= SessionTuning.PREVIEW_END))
+			.count() >= SessionTuning.PREVIEW_CLAMPED * frames.size();
 	}
 }

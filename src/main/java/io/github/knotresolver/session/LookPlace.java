@@ -33,12 +33,6 @@ import io.github.knotresolver.skeleton.Skeletonize;
 /** Makes of a frame's mask and skeleton what a person sees of them, in the movie's pixels. */
 record LookPlace(Movie movie, WorkingPixels pixels) {
 
-	/** GaussianSmoothing of a trail's corners, and the shortest trail that is shown, in pixels. */
-	private static final double SMOOTH = 2, SHORTEST = 8;
-
-	/** A contour ends in the open if it ends so near (pixels) to an end of the skeleton. */
-	private static final double OPEN = 4;
-
 	/** What is known of the movie's lines; the settings in working pixels. */
 	record Lines(Settings settings, Polarity polarity, OptionalDouble width) {
 	}
@@ -74,7 +68,7 @@ record LookPlace(Movie movie, WorkingPixels pixels) {
 		final SceneTrails.Found found = SceneTrails.of(graph,
 			brightness(frame, graph, lines.polarity));
 		final List<Polyline> curves = found.curves().stream().map(LookPlace::smooth)
-			.filter(c -> c.length() >= SHORTEST)
+			.filter(c -> c.length() >= SessionTuning.LOOK_SHORTEST)
 			.sorted(Comparator.comparingDouble(Polyline::length).reversed()).toList();
 		return lines.settings.deliversAll() || curves.isEmpty()
 			? new Courses(curves, found.loose())
@@ -83,13 +77,13 @@ record LookPlace(Movie movie, WorkingPixels pixels) {
 
 	private static Courses alone(final Polyline contour, final SkeletonGraph graph) {
 		final boolean open = graph.freeEnds().stream()
-			.anyMatch(n -> n.position().distanceTo(contour.last()) <= OPEN);
+			.anyMatch(n -> n.position().distanceTo(contour.last()) <= SessionTuning.LOOK_OPEN);
 		return new Courses(List.of(contour), open ? 0 : 1);
 	}
 
 	private static Polyline smooth(final Polyline trail) {
 		final Polyline even = trail.resampled(1);
-		return even.size() > 2 ? GaussianSmoothing.gaussian(even, SMOOTH).resampled(1) : even;
+		return even.size() > 2 ? GaussianSmoothing.gaussian(even, SessionTuning.LOOK_SMOOTH).resampled(1) : even;
 	}
 
 	/** The light of a curve in units of that of the skeleton's usual pixel. */

@@ -18,8 +18,6 @@ import io.github.knotresolver.model.Observation;
  */
 record FitConfidence(double usualMisfit) {
 
-	private static final double CONSTANT = 9;
-
 	/** In the order of {@link FitEvidence#NAMES}. */
 	private static final double[] WEIGHTS = {5.14, 0, 7.17, 7.52, 15.33, 7.01, 2.64, 5.46, 2.67, 0,
 		2};
@@ -54,7 +52,7 @@ record FitConfidence(double usualMisfit) {
 
 	/** @return 0..1 */
 	static double of(final FitEvidence evidence) {
-		double logit = CONSTANT;
+		double logit = TrackTuning.CONFIDENT;
 		final double[] figures = evidence.figures();
 		for (int i = 0; i < figures.length; i++)
 			logit -= WEIGHTS[i] * figures[i];

@@ -32,12 +32,9 @@ public record FitEvidence(double rival, double misfit, double pattern, double da
 	/** Names of the figures, in order. */
 	public static final String NAMES = "rival,misfit,pattern,dark,unexplained,invented,beyond,missing,uncovered,jump,faint";
 
-	/** Noise (strands' brightnesses) up to this is harmless; so much more is as bad as it gets. */
-	private static final double HARMLESS = 0.5, DROWNING = 0.15;
-
 	/** A pixel's noise in strands' brightnesses as a figure. */
 	static double faint(final double noise) {
-		return Math.max(0, (noise - HARMLESS) / DROWNING);
+		return Math.max(0, (noise - TrackTuning.HARMLESS_NOISE) / TrackTuning.DROWNING_NOISE);
 	}
 
 	private static final String[] WORDS = {"a different contour explains the movie nearly as well",

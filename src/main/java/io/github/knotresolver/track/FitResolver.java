@@ -275,7 +275,7 @@ public final class FitResolver {
 	private List<List<Fit>> pools(final List<NormalizedFrame> light, final FilamentCourse course,
 		final List<List<Fit>> proposals) {
 		final int n = proposals.size();
-		final Propagation propagation = new Propagation(FitSolver.WIDTH,
+		final Propagation propagation = new Propagation(TrackTuning.HYPOTHESES,
 			MotionPrice.learn(proposals, course.anchor()),
 			t -> fitter(t, light, course, settings(course)), proposals,
 			new Propagation.Frames(course, settings(course).freeLength()), progress);

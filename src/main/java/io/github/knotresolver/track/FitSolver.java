@@ -23,9 +23,6 @@ import io.github.knotresolver.track.FitResolver.Resolved;
  */
 public final class FitSolver {
 
-	/** Number of hypotheses that are carried along. */
-	static final int WIDTH = 3;
-
 	private final FitPools pools;
 	private final Map<Restriction, Consequence> known = new ConcurrentHashMap<>();
 	private final List<Map<Fit, FitLook>> looks = new ArrayList<>();
@@ -84,7 +81,7 @@ public final class FitSolver {
 	private Consequence consequence(final int t, final Restriction restriction,
 		final Progress progress) {
 		final List<Fit> left = pools.restricted(t, restriction);
-		final Propagation propagation = pools.propagation(WIDTH, progress);
+		final Propagation propagation = pools.propagation(TrackTuning.HYPOTHESES, progress);
 		final SortedMap<Integer, List<Fit>> elsewhere = new TreeMap<>(
 			propagation.spread(t, 1, left, pools.fits()));
 		elsewhere.putAll(propagation.spread(t, -1, left, pools.fits()));

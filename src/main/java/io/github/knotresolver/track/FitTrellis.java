@@ -31,18 +31,9 @@ import io.github.knotresolver.progress.Progress;
 record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentCourse course,
 	List<List<Fit>> pools, List<CandidateSet> sets, BiFunction<Integer, Fit, FitLook> looks) {
 
-	/** So many other contours of a frame are kept. */
-	private static final int ALTERNATIVES = 4;
-
-	/** Where more than this share of the contour is in the dark, there is no filament. */
-	private static final double LOST = 0.6;
-
-	/** Where more than this share is in the dark, no contour can be trusted. */
-	private static final double UNRESOLVED = 0.3;
-
 	/** @return whether a contour of this quality may be shown */
 	static boolean isTrusted(final FitQuality quality) {
-		return quality.dark() <= UNRESOLVED;
+		return quality.dark() <= TrackTuning.UNRESOLVED_DARK;
 	}
 
 	/**
@@ -104,7 +95,7 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 				junctions(t), 1, evidence.isEmpty() ? 0 : chosen(t, path).energy(), 1);
 		if (said.isPresent() && pools.get(t).isEmpty())
 			return Observation.without(frame, FrameStatus.UNRESOLVED, said.get().unmet());
-		if (quality.isEmpty() || quality.get().dark() > LOST)
+		if (quality.isEmpty() || quality.get().dark() > TrackTuning.LOST_DARK)
 			return Observation.without(frame, FrameStatus.LOST,
 				"No filament was found in this frame.");
 		if (evidence.isEmpty())
@@ -144,7 +135,7 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 		IntStream.range(0, through.length).boxed()
 			.sorted(Comparator.comparingDouble(v -> through[v])).map(v -> v.intValue())
 			.filter(v -> FitConfidence.differs(pools.get(t).get(v), shown)).forEach(v -> {
-				if (others.size() == ALTERNATIVES)
+				if (others.size() == TrackTuning.ALTERNATIVES)
 					return;
 				final Fit fit = pools.get(t).get(v);
 				shown.add(fit);

@@ -20,21 +20,6 @@ import io.github.knotresolver.image.FrameEvidence;
  */
 record Focus(double[] widening, double[] brightness) {
 
-	/** Where strands lie side by side both together are measured: a low quantile is that of one. */
-	private static final double QUANTILE = 0.3;
-
-	/** Fewer pixels of skeleton say nothing. */
-	private static final int FEWEST = 20;
-
-	/** Frames that are taken together when it is asked whether the width changes. */
-	private static final int STEADY = 5;
-
-	/** Frames of which the middle one's width is taken. */
-	private static final int SMOOTH = 3;
-
-	/** A width changes if the widest tenth of the frames exceeds the narrowest by this factor. */
-	private static final double CHANGE = 1.3;
-
 	/** Share of a line's peak in the mean over 3 x 3 pixels, which is what brightness is taken of. */
 	private static double peak(final double sigma) {
 		return (1 + 2 * Math.exp(-0.5 / (sigma * sigma))) / 3;
@@ -52,12 +37,12 @@ record Focus(double[] widening, double[] brightness) {
 		final double[] widths = frames.stream().mapToDouble(Focus::width).toArray();
 		if (!changes(widths))
 			return frames;
-		final double[] smooth = medians(widths, SMOOTH);
+		final double[] smooth = medians(widths, TrackTuning.FOCUS_SMOOTH);
 		final double usual = RobustStatistics
 			.median(Arrays.stream(smooth).filter(Double::isFinite).toArray());
 		final double[] bright = medians(IntStream.range(0, widths.length)
 			.mapToDouble(t -> brightness(frames.get(t), sets.get(t)) / peak(smooth[t])).toArray(),
-			SMOOTH);
+			TrackTuning.FOCUS_SMOOTH);
 		final double strand = RobustStatistics
 			.median(Arrays.stream(bright).filter(b -> b > 0).toArray());
 		final List<FrameView> known = new ArrayList<>();
@@ -76,9 +61,9 @@ record Focus(double[] widening, double[] brightness) {
 		final double[] widths = IntStream.range(0, e.size())
 			.mapToDouble(i -> e.lineWidth(e.x(i), e.y(i))).filter(Double::isFinite).sorted()
 			.toArray();
-		return widths.length < FEWEST
+		return widths.length < TrackTuning.FOCUS_PIXELS
 			? Double.NaN
-			: widths[(int) (QUANTILE * (widths.length - 1))] / e.appearance().width()
+			: widths[(int) (TrackTuning.FOCUS_QUANTILE * (widths.length - 1))] / e.appearance().width()
 				* e.appearance().workingSigma();
 	}
 
@@ -88,10 +73,10 @@ record Focus(double[] widening, double[] brightness) {
 	}
 
 	private static boolean changes(final double[] widths) {
-		final double[] steady = Arrays.stream(medians(widths, STEADY)).filter(Double::isFinite)
+		final double[] steady = Arrays.stream(medians(widths, TrackTuning.FOCUS_STEADY)).filter(Double::isFinite)
 			.sorted().toArray();
 		final int tenth = steady.length / 10;
-		return steady.length > STEADY && steady[steady.length - 1 - tenth] > CHANGE * steady[tenth];
+		return steady.length > TrackTuning.FOCUS_STEADY && steady[steady.length - 1 - tenth] > TrackTuning.FOCUS_CHANGE * steady[tenth];
 	}
 
 	/** The median of each value and its neighbours in time, as far as they are known. */

@@ -471,6 +471,75 @@ final class TrackTuning {
 	 */
 	static final int FITTED = 4;
 
+	/**
+	 * [logit] What speaks for a contour against which nothing speaks. Why: fitted by scripts/fit-
+	 * confidence with the weights; docs/method.md has the result.
+	 */
+	static final double CONFIDENT = 9;
+
+	/**
+	 * [strands] Noise up to this speaks against no contour. Why: fits hold at a signal-to-noise
+	 * ratio of two.
+	 */
+	static final double HARMLESS_NOISE = 0.5;
+
+	/** [strands] So much more is as bad as it gets. Why: at 0.65 hardly any contour is right. */
+	static final double DROWNING_NOISE = 0.15;
+
+	/**
+	 * [hypotheses] So many are carried from frame to frame. Why: a knot leaves two or three courses
+	 * open; more cost time and find nothing.
+	 */
+	static final int HYPOTHESES = 3;
+
+	/**
+	 * [contours] So many other contours of a frame are kept for a person to choose from. Why: the
+	 * right one is among them or must be drawn.
+	 */
+	static final int ALTERNATIVES = 4;
+
+	/**
+	 * [share] Where more of the contour is in the dark, there is no filament. Why: a filament that
+	 * is half covered or out of focus still shows half of itself.
+	 */
+	static final double LOST_DARK = 0.6;
+
+	/**
+	 * [share] ... and where more than this is, no contour can be trusted. Why: a third of a contour
+	 * without light is a guess.
+	 */
+	static final double UNRESOLVED_DARK = 0.3;
+
+	/**
+	 * [share] The width of a frame is this quantile of its lines' widths. Why: where strands lie
+	 * side by side both together are measured, and a low quantile is that of one.
+	 */
+	static final double FOCUS_QUANTILE = 0.3;
+
+	/**
+	 * [px] Fewer pixels of skeleton say nothing of the width. Why: a median of fewer is as noisy as
+	 * the pixels.
+	 */
+	static final int FOCUS_PIXELS = 20;
+
+	/**
+	 * [frames] So many frames are taken together when it is asked whether the width changes. Why:
+	 * focus wanders over more, noise does not.
+	 */
+	static final int FOCUS_STEADY = 5;
+
+	/**
+	 * [frames] A frame has the median width of so many. Why: one frame may be covered by another
+	 * filament.
+	 */
+	static final int FOCUS_SMOOTH = 3;
+
+	/**
+	 * [ratio] The focus wanders if the widest tenth of the frames exceeds the narrowest by this.
+	 * Why: widths of a movie in focus agree to some percent.
+	 */
+	static final double FOCUS_CHANGE = 1.3;
+
 	private TrackTuning() {
 	}
 }
