@@ -27,7 +27,7 @@
  * and scores against it</li>
  * <li>{@code options}: every option once; texts become settings</li>
  * <li>{@code io}: results become files, and back</li>
- * <li>{@code run}: the use case, from a source to a sink</li>
+ * <li>{@code run}: the use cases, from a source to a sink</li>
  * <li>{@code imagej}: the ImageJ edge</li>
  * <li>{@code ui}: windows, thin, and their models, which know no window</li>
  * <li>{@code command}, {@code cli}: SciJava Commands and the command line</li>

@@ -187,6 +187,6 @@ public final class FilamentEstimator {
 	 *         a polygon whose links are long for its bends is longer than the curve
 	 */
 	public static int links(final double length) {
-		return Math.max(45, (int) Math.rint(length / 3));
+		return Math.max(FitTuning.CLAMPED_LINKS, (int) Math.rint(length / FitTuning.LINK));
 	}
 }

@@ -74,6 +74,12 @@ final class FitTuning {
 	static final int FEWEST_LINKS = 8;
 
 	/**
+	 * [links] ... and that of a filament that is clamped so many. Why: it winds up, and a short one
+	 * needs them for its loops.
+	 */
+	static final int CLAMPED_LINKS = 45;
+
+	/**
 	 * [line widths] Length of a piece of line that is laid on at an end. Why: shorter ones are no
 	 * line yet, longer ones bend.
 	 */

@@ -1,7 +1,8 @@
 /**
- * A clean frame becomes the filament's mask. A threshold seeds a region-based
- * active contour; its mask is cleaned of specks and pin holes, and the object
- * that is the filament is followed from frame to frame.
+ * A frame becomes the mask of its lines. By our default those ridges stay that are beyond doubt
+ * somewhere ({@link io.github.knotresolver.mask.RidgeMask}). By the way of thresholds a threshold
+ * seeds a region-based active contour; its mask is cleaned of specks and pin holes. Where one
+ * filament is meant, the object that it is in is followed from frame to frame.
  * <p>
  * Everything up to the masks of all objects of a frame looks at that frame
  * alone, so frames can be worked on in parallel; only
