@@ -1,6 +1,7 @@
 """The table of docs/constants.md; called by scripts/ablation."""
 
 import argparse
+import concurrent.futures
 import hashlib
 import json
 import os
@@ -17,7 +18,8 @@ DOCUMENT = ROOT / "docs" / "constants.md"
 CONSTANT = re.compile(r"/\*\*((?:(?!\*/).)*)\*/\s*(?:public )?static final (int|double) (\w+) = ([^;]+);", re.S)
 TEXT = re.compile(r"\[([^\]]+)\] (.*) Why: (.*)", re.S)
 FACTORS = (0.5, 2)
-AT_MOST_ONE = ("share", "cosine")
+AT_MOST_ONE = ("share", "cosine", "probability")
+NO_CONTOURS = ("measure",)
 CONDITIONS = (("drift10_L20_d25", 8), ("base_L15_d50", 8))
 SCENES = (("glide5", 5),)
 INTRODUCTION = """# Tuning constants
@@ -32,8 +34,12 @@ ABLATION = """
 `scripts/ablation` also halves and doubles one constant at a time, resolves {movies}, and scores them against the truth.
 *halved* and *doubled*: percentage of filament-frames in which a contour lies on the true one, whichever way it runs, and in
 brackets of contours that lie on none with a confidence above 0.9; as the constants are, it is **{base}**. `=` says that no contour changed at all: these movies do not need the constant.
-`fails` says that the program does not work so. A blank cell was not measured. Shares and cosines are doubled to 1 at most.
+`fails` says that the program does not work so. A blank cell was not measured; constants of `measure` change no contour, and
+`scripts/measurement-accuracy` shows what they are worth. Shares, cosines and probabilities are doubled to 1 at most. Constants of `SceneTuning` are
+tried on scenes only.
 """
+FIGURES = re.compile(r"as the constants are, it is \*\*(.+?)\*\*")
+ROW = re.compile(r"\| `(\w+)` \| (.+?) \| .+ \*Why:\* .+? \|(?: (.*?) \| (.*?) \|)?$")
 
 
 class Constant:
@@ -81,7 +87,7 @@ def movies(folder, bench):
 
 
 def resolve(path, found, folder):
-    """Percentages found and silently wrong, and a digest of all contours; None if the program fails."""
+    """Of each movie the percentages found and silently wrong, and a digest of its contours; None if the program fails."""
     import scenes
     out = folder / "out"
     run = subprocess.run(["java", "-Djava.awt.headless=true", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xmx3g", "-cp", path,
@@ -89,17 +95,19 @@ def resolve(path, found, folder):
                          capture_output=True, text=True, check=False, timeout=1800)
     if run.returncode:
         return None
-    scores, digest = [], hashlib.sha256()
+    got = {}
     for tiff, truth in found:
         result = out / "default" / tiff.stem / "contours.csv"
-        digest.update(result.read_bytes())
-        scores.append(scenes.score(str(truth), str(result), str(result.with_name("frames.csv"))))
-    mean = lambda key: sum(s[key] or 0 for s in scores) / len(scores)
-    return {"found": mean("found"), "silent": mean("silent"), "contours": digest.hexdigest()}
+        score = scenes.score(str(truth), str(result), str(result.with_name("frames.csv")))
+        got[tiff.stem] = {"found": score["found"] or 0, "silent": score["silent"] or 0,
+                          "contours": hashlib.sha256(result.read_bytes()).hexdigest()}
+    return got
 
 
 def variant(constant, factor, path, found):
     """What resolve says with one constant changed: its class and all that name it are compiled anew."""
+    if constant.file.stem == "SceneTuning":
+        found = [(tiff, truth) for tiff, truth in found if tiff.stem in dict(SCENES)]
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         source = constant.file.read_text()
@@ -125,40 +133,62 @@ def measure(args):
             print("The contours are others than when target/ablation.json was written: all is measured anew.", file=sys.stderr)
             measured = {}
         measured["base"] = base
-        for constant in constants():
-            for factor in FACTORS:
-                if constant.key(factor) in measured or not re.search(args.only, f"{constant.room}.{constant.name}"):
-                    continue
-                measured[constant.key(factor)] = variant(constant, factor, path, found)
+        MEASURED.parent.mkdir(exist_ok=True)
+        wanted = [(c, f) for c in constants() for f in FACTORS if c.room not in NO_CONTOURS
+                  and c.key(f) not in measured and re.search(args.only, f"{c.room}.{c.name}")]
+        with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
+            runs = {pool.submit(variant, c, f, path, found): c.key(f) for c, f in wanted}
+            for done, run in enumerate(concurrent.futures.as_completed(runs), 1):
+                measured[runs[run]] = run.result()
                 MEASURED.write_text(json.dumps(measured, indent=1))
-                print(constant.key(factor), measured[constant.key(factor)], file=sys.stderr)
+                print(f"{done} of {len(wanted)}: {runs[run]} {cell(measured, runs[run])}", file=sys.stderr)
 
 
 def cell(measured, key):
     if key not in measured:
         return ""
-    got = measured[key]
-    return "fails" if got is None else "=" if got["contours"] == measured["base"]["contours"] else figures(got)
+    got, base = measured[key], measured["base"]
+    if got is None:
+        return "fails"
+    if all(got[m]["contours"] == base[m]["contours"] for m in got):
+        return "="
+    return figures({**base, **got})
 
 
 def figures(got):
-    return f"{got['found']:.1f} ({got['silent']:.1f})"
+    mean = lambda key: sum(g[key] for g in got.values()) / len(got)
+    return f"{mean('found'):.1f} ({mean('silent'):.1f})"
+
+
+def known():
+    """What is measured, as (text of the base row, {(room, constant, value): cells}); else what the document says already."""
+    if MEASURED.exists():
+        measured = json.loads(MEASURED.read_text())
+        return figures(measured["base"]), {(c.room, c.name, c.value): [cell(measured, c.key(f)) for f in FACTORS] for c in constants()}
+    base, cells, room = None, {}, None
+    for line in DOCUMENT.read_text().splitlines() if DOCUMENT.exists() else []:
+        said, row = FIGURES.search(line), ROW.match(line)
+        base = said[1] if said else base
+        room = line.strip("# `") if line.startswith("## ") else room
+        if row and row[3] is not None:
+            cells[room, row[1], row[2]] = [row[3], row[4]]
+    return base, cells
 
 
 def table():
-    measured = json.loads(MEASURED.read_text()) if MEASURED.exists() else {}
+    base, cells = known()
     names = ", ".join(f"{n} ({c} frames)" for n, c in CONDITIONS + SCENES)
     text = INTRODUCTION
-    if measured:
-        text += ABLATION.format(movies=f"short movies of `scripts/benchmark`: {names}", base=figures(measured["base"]))
+    if cells:
+        text += ABLATION.format(movies=f"short movies of `scripts/benchmark`: {names}", base=base)
     room = None
     for c in constants():
         if c.room != room:
             room = c.room
-            text += f"\n## `{room}`\n\n| constant | value | unit | what, and why |" + (" halved | doubled |" if measured else "")
-            text += "\n|---|---:|---|---|" + ("---:|---:|" if measured else "") + "\n"
+            text += f"\n## `{room}`\n\n| constant | value | unit | what, and why |" + (" halved | doubled |" if cells else "")
+            text += "\n|---|---:|---|---|" + ("---:|---:|" if cells else "") + "\n"
         text += f"| `{c.name}` | {c.value} | {c.unit} | {c.what} *Why:* {c.why} |"
-        text += "".join(f" {cell(measured, c.key(f))} |" for f in FACTORS) if measured else ""
+        text += "".join(f" {text_of} |" for text_of in cells.get((c.room, c.name, c.value), ["", ""])) if cells else ""
         text += "\n"
     DOCUMENT.write_text(text)
 
@@ -167,6 +197,7 @@ def main():
     p = argparse.ArgumentParser(prog="scripts/ablation", description=__doc__)
     p.add_argument("--only", default="", metavar="PATTERN", help="constants whose name, room.NAME, matches")
     p.add_argument("--table", action="store_true", help="write the table of what was measured before, measure nothing")
+    p.add_argument("--jobs", type=int, default=1, metavar="N", help="so many variants at a time [1]")
     p.add_argument("--bench", type=pathlib.Path, default=ROOT.parent / "shared" / "bench", help="folder of render.py, score.py and curves")
     p.add_argument("--classpath", metavar="PATH", help="compiled classes and libraries [built by scripts/test-classpath]")
     args = p.parse_args()
