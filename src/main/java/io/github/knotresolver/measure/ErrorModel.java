@@ -10,7 +10,7 @@ import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.measure.ErrorCorrelation.Kind;
 
 /**
- * What is known of the errors of contours that were smoothed alike.
+ * What is known of the errors of contours that were smoothed in the same way.
  *
  * @param fit what they do to the smoothed curve
  * @param residual what they leave in the residuals that tell their size
@@ -21,7 +21,7 @@ import io.github.knotresolver.measure.ErrorCorrelation.Kind;
 record ErrorModel(NoiseGain fit, NoiseGain residual, boolean held) {
 
 	/**
-	 * Learns how alike neighbouring points err from the residuals of all contours
+	 * Learns how errors of neighbouring points are correlated from the residuals of all contours
 	 * together. Contours that have been held at one length come from a fit, whose
 	 * errors are smooth.
 	 *
@@ -47,8 +47,8 @@ record ErrorModel(NoiseGain fit, NoiseGain residual, boolean held) {
 		return new ErrorModel(same, residual, kind == Kind.FITTED);
 	}
 
-	/** @return how many neighbouring points have one point's error */
-	double alike() {
+	/** @return over how many points errors are correlated */
+	double correlated() {
 		return residual.along();
 	}
 

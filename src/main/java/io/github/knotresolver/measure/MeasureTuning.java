@@ -102,7 +102,7 @@ final class MeasureTuning {
 
 	/**
 	 * [px] Noise is measured from the residuals of a window at least so wide. Why: errors that are
-	 * alike over the microscope's blur leave no residual in a narrower one.
+	 * correlated over the microscope's blur leave no residual in a narrower one.
 	 */
 	static final double NOISE_WINDOW = 12;
 
@@ -128,20 +128,20 @@ final class MeasureTuning {
 	static final double NEIGHBOURS = 1.5;
 
 	/**
-	 * [px] Points so far away do not err alike on a traced contour. Why: a traced contour errs from
+	 * [px] Errors of points so far away are not correlated on a traced contour. Why: it errs from
 	 * pixel to pixel.
 	 */
 	static final double FAR = 5;
 
 	/**
-	 * [ratio] The error of foretelling a point from far neighbours is so much larger if errors are
-	 * not alike. Why: bending adds that much over twice the distance, noise that is alike much
-	 * more.
+	 * [ratio] The error of predicting a point from far neighbours is so much larger if errors are
+	 * independent. Why: bending adds that much over twice the distance, correlated noise much more.
 	 */
 	static final double FAR_WORSE = 6;
 
 	/**
-	 * [contours] So many contours tell how alike errors are. Why: more do not change the window.
+	 * [contours] So many contours tell over what range errors are correlated. Why: more do not
+	 * change the window.
 	 */
 	static final int WINDOW_CONTOURS = 60;
 

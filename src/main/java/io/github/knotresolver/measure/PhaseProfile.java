@@ -87,8 +87,8 @@ final class PhaseProfile {
 		return frequencyError;
 	}
 
-	/** By how much errors of the slope grow because neighbours err alike. */
-	double alike() {
+	/** By how much errors of the slope grow because errors of neighbours are correlated. */
+	double correlation() {
 		return Math.sqrt(Math.min(MeasureTuning.REPEATED, Math.max(1, place.length / 4.0)));
 	}
 }

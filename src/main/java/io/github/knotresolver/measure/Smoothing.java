@@ -58,13 +58,13 @@ public record Smoothing(double window, int order) {
 		if (narrow.errors(some, c).held())
 			return narrow;
 		final Smoothing wide = choice.best(MeasureTuning.FAR * c.pixelSize());
-		// Where the filament itself bends too much to be foretold from afar, what
-		// looks like errors that are alike is the filament.
+		// Where the filament itself bends too much to be predicted from afar, what
+		// looks like correlated errors is the filament.
 		if (choice.error(wide, MeasureTuning.FAR * c.pixelSize()) > MeasureTuning.FAR_WORSE
 			* choice.error(narrow, MeasureTuning.NEIGHBOURS * c.pixelSize()))
 			return narrow;
-		final double alike = wide.errors(some, c).alike() * spacing(samples) / c.pixelSize();
-		return alike > MeasureTuning.NEIGHBOURS ? choice.best(alike * c.pixelSize()) : narrow;
+		final double range = wide.errors(some, c).correlated() * spacing(samples) / c.pixelSize();
+		return range > MeasureTuning.NEIGHBOURS ? choice.best(range * c.pixelSize()) : narrow;
 	}
 
 	private ErrorModel errors(final List<Polyline> contoursPx, final Calibration c) {

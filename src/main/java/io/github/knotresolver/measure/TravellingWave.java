@@ -46,7 +46,7 @@ public record TravellingWave(double frequency, double speed, double speedError, 
 			return Optional.empty();
 		final double speed = 2 * Math.PI * frequency / line.getSlope();
 		final double relative = Math.hypot(
-			line.getSlopeStdErr() / line.getSlope() * profile.alike(),
+			line.getSlopeStdErr() / line.getSlope() * profile.correlation(),
 			profile.frequencyError() / frequency);
 		return Optional.of(new TravellingWave(frequency, speed, Math.abs(speed) * relative,
 			Math.abs(speed) / frequency, profile.largest(), profile.placeOfLargest(),
