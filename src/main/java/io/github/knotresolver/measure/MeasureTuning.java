@@ -134,8 +134,9 @@ final class MeasureTuning {
 	static final double FAR = 5;
 
 	/**
-	 * [ratio] The error of predicting a point from far neighbours is so much larger if errors are
-	 * independent. Why: bending adds that much over twice the distance, correlated noise much more.
+	 * [ratio] If far neighbours predict a point with so much larger an error than near ones, the
+	 * filament bends too much, and its errors are taken to be independent. Why: independent errors
+	 * and bending of a few windows make it less.
 	 */
 	static final double FAR_WORSE = 6;
 
