@@ -179,4 +179,34 @@ public final class RoiConverter {
 			: Optional
 				.of(new Region(part.x, part.y, Math.max(0, part.width), Math.max(0, part.height)));
 	}
+
+	/**
+	 * A polyline with a group. ImageJ looks for a colour table in its folder when a
+	 * group is set, and complains in the log where there is none; this one has a
+	 * colour of its own.
+	 */
+	private static final class GroupedLine extends PolygonRoi {
+
+		private int group;
+
+		/**
+		 * @param line a sub-pixel polyline
+		 * @param group 1 to 255
+		 */
+		GroupedLine(final PolygonRoi line, final int group) {
+			super(line.getFloatPolygon().xpoints, line.getFloatPolygon().ypoints, POLYLINE);
+			this.group = group;
+		}
+
+		@Override
+		public int getGroup() {
+			return group;
+		}
+
+		@Override
+		public void setGroup(final int other) {
+			group = other;
+			super.setGroup(other);
+		}
+	}
 }
