@@ -57,10 +57,8 @@ class RealMoviesTest {
 	void aPieceLikeASpotIsNoContour() {
 		final Path file = DATA.resolveSibling("faults").resolve("crash_mt6.tif");
 		assumeTrue(Files.exists(file), "Not here: " + file);
-		final Tracks tracks = new FilamentResolver(
-			new Settings.Builder().fixedEnd(Optional.of(new Point(12, 8)))
-				.lengthModel(LengthModel.FREE).build())
-			.resolve(ImageMovie.of(ImageFile.open(file), InputOptions.DEFAULT), Progress.NONE);
+		final Tracks tracks = new Session(ImageMovie.of(ImageFile.open(file), InputOptions.DEFAULT), new Settings.Builder().fixedEnd(Optional.of(new Point(12, 8)))
+				.lengthModel(LengthModel.FREE).build()).solve(List.of(), Progress.NONE);
 		for (final Observation frame : tracks.only().frames())
 			assertTrue(frame.contour().isEmpty() || frame.confidence() < Observation.SURE
 				&& frame.contour().get().length() > 8, frame.toString());

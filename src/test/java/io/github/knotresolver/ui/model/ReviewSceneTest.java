@@ -122,9 +122,7 @@ class ReviewSceneTest {
 		assertEquals(contour(before, 1, 2), contour(told, 1, 2));
 		assertEquals(contour(before, 2, 3), contour(told, 2, 3));
 		final List<Constraint> mixed = List.of(said.get(2), said.get(1), said.get(0));
-		assertEquals(told.filaments(), new FilamentResolver(
-			SETTINGS.edit().threads(1).constraints(mixed).build())
-			.resolve(drawn.movie(), Progress.NONE).filaments());
+		assertEquals(told.filaments(), new Session(drawn.movie(), SETTINGS.edit().threads(1).constraints(mixed).build()).solve(List.of(), Progress.NONE).filaments());
 		// Of one place more than a curve can be near at once, nothing is made up.
 		final Polyline apart = Polyline.of(List.of(beside(shown, 20, 3), beside(shown, 20, -3),
 			beside(shown, 20.5, 3.5), beside(shown, 20.5, -3.5)));
