@@ -44,6 +44,53 @@ final class ImageTuning {
 	static final double SPOT_REACH = 3;
 
 	/**
+	 * [strands] A still spot is so much brighter than the lines that run through it. Why: the fixed
+	 * end of a filament that turns around it is a still spot of one strand at most.
+	 */
+	static final double SPOT_BRIGHT = 1.25;
+
+	/**
+	 * [strands] ... and one beside a brighter spot is as bright as this. Why: that one hides a part
+	 * of it.
+	 */
+	static final double SPOT_HIDDEN = 0.75;
+
+	/**
+	 * [line widths] Spots so near are beside each other. Why: there one spot's light has faded.
+	 */
+	static final double SPOT_BESIDE = 3.5;
+
+	/**
+	 * [strands] What is left of a spot that was taken off is taken off, too, if it is as bright as
+	 * this. Why: as much as noise and a profile that is not quite round leave of a bright one.
+	 */
+	static final double SPOT_LEFT = 0.2;
+
+	/**
+	 * [line widths] ... and lies so near to its middle. Why: two spots that touch are taken for one
+	 * between them first.
+	 */
+	static final double SPOT_SAME = 2.5;
+
+	/**
+	 * [share] A spot curves along by more than this part of what it curves across. Why: two spots
+	 * that touch hardly do, and a line, which does not at all, is told by what goes on beyond.
+	 */
+	static final double SPOT_ROUND = 0.1;
+
+	/**
+	 * [share] A spot is as bright as it is in all but this share of the directions. Why: two arms
+	 * of a line and a neighbour cover less than the rest.
+	 */
+	static final double SPOT_ALONE = 0.3;
+
+	/**
+	 * [share] A pixel is free of lines in at least this share of the frames. Why: a filament lies
+	 * on its usual track nearly all the time, and of ten frames one tells.
+	 */
+	static final double STILL_FREE = 0.1;
+
+	/**
 	 * [line widths] The profile across a line reaches so far to both sides. Why: there a line has
 	 * ended, and a neighbour not begun.
 	 */

@@ -84,6 +84,17 @@ public record LineAppearance(Polarity polarity, double sigma, int binning, doubl
 		return Math.hypot(filterSigma, workingSigma());
 	}
 
+	/**
+	 * The brightness above the background of a line whose ridge strength is the usual one: the
+	 * second derivative of a Gaussian profile, blurred by the filter.
+	 *
+	 * @return in the movie's grey values; NaN as long as the usual strength is not known
+	 */
+	public double strand() {
+		final double t = blurredSigma();
+		return reference * t * t * t / workingSigma();
+	}
+
 	/** @return full width at half maximum of the line, in the movie's pixels */
 	public double width() {
 		return FULL_WIDTH * sigma;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 import io.github.knotresolver.image.Enlargement;
 import io.github.knotresolver.image.LineAppearance;
@@ -45,6 +46,15 @@ final class EvidenceNotes {
 				"Few photons: lines are only %.1f times as strong as their noise; wider filters are used, and frames may be doubtful.",
 				a.clarity()));
 		return notes;
+	}
+
+	/** What stays in all frames. */
+	static Optional<String> of(final StillSpots spots) {
+		return spots.count() == 0
+			? Optional.empty()
+			: Optional.of("Still spots: " + spots.count()
+				+ (spots.count() == 1 ? " round bright spot stays" : " round bright spots stay")
+				+ " in place in all frames; their light was taken off the frames.");
 	}
 
 	private static String enlarged(final Enlargement e) {

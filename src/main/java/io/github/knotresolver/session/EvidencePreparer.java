@@ -43,16 +43,20 @@ final class EvidencePreparer {
 	/** @param frames 1-based numbers of the frames, in order */
 	PreparedMovie prepare(final List<Integer> frames, final List<Point> told) {
 		final Workers threads = inMemory();
-		final AppearanceFinder.Found found = new AppearanceFinder(threads, progress).find(movie,
-			frames, polarity);
+		final AppearanceFinder looks = new AppearanceFinder(threads, progress);
+		final StillSpots spotless = StillSpots.off(movie, frames,
+			looks.find(movie, frames, polarity), m -> looks.find(m, frames, polarity));
+		final AppearanceFinder.Found found = spotless.lines();
 		final List<String> notes = new ArrayList<>(EvidenceNotes.early(found));
+		EvidenceNotes.of(spotless).ifPresent(notes::add);
 		notes.forEach(progress::note);
 		final EvidenceFinder finder = new EvidenceFinder(found.appearance());
 		final List<FrameEvidence> evidence = threads.map("Finding lines", progress, frames.size(),
-			t -> finder.find(movie.frame(frames.get(t) - 1)));
+			t -> finder.find(spotless.movie().frame(frames.get(t) - 1)));
 		final WorkingPixels blocks = new WorkingPixels(found.appearance().binning(), 0, 0);
 		final Box box = Box.around(evidence, told.stream().map(blocks::in).toList(), SessionTuning.BOX_MARGIN);
-		final FrameLights lights = new FrameLights(movie, box, Runtime.getRuntime().maxMemory());
+		final FrameLights lights = new FrameLights(spotless.movie(), box,
+			Runtime.getRuntime().maxMemory());
 		final List<FrameView> views = workers.map("Thinning", progress, frames.size(), t -> {
 			final FrameEvidence part = evidence.get(t).part(box.x(), box.y(), box.width(),
 				box.height());
@@ -70,7 +74,7 @@ final class EvidencePreparer {
 		late.forEach(progress::note);
 		notes.addAll(late);
 		return new PreparedMovie(clipping.isClipped()
-			? workers.map(lit.size(), t -> lights.withCeiling(lit.get(t), clipping))
+			? workers.map(lit.size(), t -> lights.withCeiling(lit.get(t), movie, clipping))
 			: lit, pixels, lost, clipping.kinds(), notes);
 	}
 

@@ -66,13 +66,14 @@ final class FrameLights {
 	 * noise, since noise is cut off, too.
 	 *
 	 * @param view one of the frames
-	 * @param clipping the movie's
+	 * @param recorded the movie as it was recorded
+	 * @param clipping its
 	 * @return the same frame with a ceiling
 	 */
-	FrameView withCeiling(final FrameView view, final Clipping clipping) {
+	FrameView withCeiling(final FrameView view, final Movie recorded, final Clipping clipping) {
 		final LineAppearance a = view.evidence().orElseThrow().appearance();
 		final double noise = view.light().noise();
-		final float[] part = box.of(movie.frame(view.frame() - 1), a.binning());
+		final float[] part = box.of(recorded.frame(view.frame() - 1), a.binning());
 		final double[] light = view.light().pixels(), ceiling = new double[part.length];
 		for (int i = 0; i < ceiling.length; i++)
 			// Light is the pixel above its background.

@@ -147,6 +147,18 @@ final class SessionTuning {
 	/** [frames] Fewer frames say nothing about movement. Why: a pause is as long. */
 	static final int VERDICT_FRAMES = 5;
 
+	/** [frames] So many tell what stays in a movie. Why: in a tenth of them three are dark. */
+	static final int STILL_FRAMES = 32;
+
+	/** [frames] ... and fewer than this do not. Why: a filament may rest for as long. */
+	static final int FEWEST_STILL_FRAMES = 10;
+
+	/**
+	 * [strands] A still spot that is as bright as this dazzles. Why: of a strand of 100 photons its
+	 * own noise is a fifth, and what is wrong with its profile as much.
+	 */
+	static final double DAZZLING = 4;
+
 	private SessionTuning() {
 	}
 }
