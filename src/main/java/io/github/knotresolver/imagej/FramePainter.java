@@ -16,6 +16,7 @@ import net.imglib2.type.numeric.RealType;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.image.Contrast;
 
 /** Paints frames in grey and contours in colour along their length. */
 final class FramePainter {

@@ -20,6 +20,7 @@ import org.w3c.dom.NodeList;
 import ij.ImagePlus;
 import ij.ImageStack;
 import ij.process.ColorProcessor;
+import io.github.knotresolver.io.GifBlocks;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 

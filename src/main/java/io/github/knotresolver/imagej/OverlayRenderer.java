@@ -11,6 +11,7 @@ import net.imglib2.type.numeric.RealType;
 import net.imglib2.type.numeric.real.DoubleType;
 
 import ij.ImagePlus;
+import io.github.knotresolver.image.Contrast;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Tracks;

@@ -12,6 +12,7 @@ import ij.gui.Overlay;
 import ij.gui.PolygonRoi;
 import ij.gui.Roi;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.image.Contrast;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Tracks;

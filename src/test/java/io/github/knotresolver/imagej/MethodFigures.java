@@ -50,6 +50,7 @@ import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.Node;
 import io.github.knotresolver.graph.Segment;
 import io.github.knotresolver.graph.SkeletonGraph;
+import io.github.knotresolver.image.Contrast;
 import io.github.knotresolver.image.FrameCleaner;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.mask.FilamentSegmenter;

@@ -1,4 +1,4 @@
-package io.github.knotresolver.imagej;
+package io.github.knotresolver.image;
 
 import java.util.Arrays;
 
@@ -16,7 +16,7 @@ import io.github.knotresolver.model.Movie;
  * @param high shown as the brightest grey
  * @param brightest that grey, 1..255; less than white lets colours stand out
  */
-record Contrast(double low, double high, int brightest) {
+public record Contrast(double low, double high, int brightest) {
 
 	private static final double LOWEST = 0.01, HIGHEST = 0.998;
 	/** So many pixels tell the percentiles well enough. */
@@ -27,7 +27,7 @@ record Contrast(double low, double high, int brightest) {
 	 * @param brightest the brightest grey, 1..255
 	 * @return its range of intensities without the extremes
 	 */
-	static Contrast of(final Movie movie, final int brightest) {
+	public static Contrast of(final Movie movie, final int brightest) {
 		final long pixels = (long) movie.width() * movie.height() * movie.size();
 		final int step = (int) Math.max(1, pixels / SAMPLE);
 		final double[] sample = new double[(int) (pixels / step)];
@@ -51,7 +51,7 @@ record Contrast(double low, double high, int brightest) {
 	 * @param value an intensity
 	 * @return how it is shown, 0 to the brightest grey
 	 */
-	int gray(final double value) {
+	public int gray(final double value) {
 		return (int) Math.rint(brightest * Math.min(1, Math.max(0, (value - low) / (high - low))));
 	}
 }

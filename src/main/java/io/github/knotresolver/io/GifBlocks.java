@@ -1,4 +1,4 @@
-package io.github.knotresolver.imagej;
+package io.github.knotresolver.io;
 
 import java.io.BufferedInputStream;
 import java.io.DataInputStream;
@@ -11,7 +11,7 @@ import java.nio.file.Path;
  * The blocks of a GIF file, walked from its first to its last: readers take a file
  * that was cut off for one with fewer frames. See the specification of GIF89a.
  */
-final class GifBlocks {
+public final class GifBlocks {
 
 	private static final int HEADER = 10, IMAGE = 0x2c, EXTENSION = 0x21, TRAILER = 0x3b;
 	private static final int TABLE = 0x80, TABLE_SIZE = 7, COLOUR_BYTES = 3, PLACE = 8;
@@ -29,7 +29,7 @@ final class GifBlocks {
 	 * @throws EOFException if it ends before its last block
 	 * @throws IOException if it cannot be read
 	 */
-	static int frames(final Path file) throws IOException {
+	public static int frames(final Path file) throws IOException {
 		try (DataInputStream in = new DataInputStream(
 			new BufferedInputStream(Files.newInputStream(file)))) {
 			final GifBlocks blocks = new GifBlocks(in);
