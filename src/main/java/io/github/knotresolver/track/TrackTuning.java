@@ -130,10 +130,10 @@ final class TrackTuning {
 	static final double SKELETON_SHORT = 2;
 
 	/**
-	 * [px] An end that stays is seen within this distance in half of the frames. Why: fits of an
-	 * end agree to a third of that.
+	 * [px] An end that stays is seen within this distance in half of the frames. Why: a contour that
+	 * was rounded to pixels before it was drawn is off by up to that; fits of an end agree better.
 	 */
-	static final double STILL_END = 0.7;
+	static final double STILL_END = 1;
 
 	/**
 	 * [px] ... as skeletons see it, within this. Why: they end a pixel or two earlier or later.
