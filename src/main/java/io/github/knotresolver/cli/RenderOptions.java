@@ -1,7 +1,7 @@
 package io.github.knotresolver.cli;
 
-import io.github.knotresolver.run.Rendering;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.run.Rendering;
 import io.github.knotresolver.simulate.Optics;
 import picocli.CommandLine.Option;
 

@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.concurrent.Callable;
 
 import io.github.knotresolver.imagej.MovieTiff;
-import io.github.knotresolver.run.SimulationRun;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.SimulationRun;
 import io.github.knotresolver.simulate.SimulatedMovie;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;

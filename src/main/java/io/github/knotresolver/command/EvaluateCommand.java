@@ -22,13 +22,13 @@ import io.github.knotresolver.imagej.plot.ScoreFiles;
 import io.github.knotresolver.imagej.plot.ScorePlots;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
-import io.github.knotresolver.run.Scores;
 import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.measure.MeasuredFilament;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.session.Engine;
 import io.github.knotresolver.run.LikeRun;
+import io.github.knotresolver.run.Scores;
+import io.github.knotresolver.session.Engine;
 
 /**
  * {@code Evaluate Against Ground Truth...}: a result against the true contours,

@@ -29,11 +29,11 @@ import io.github.knotresolver.imagej.plot.MeasurementFolder;
 import io.github.knotresolver.io.ContourInput;
 import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.FilamentMeasurements;
-import io.github.knotresolver.run.MeasureRun;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.io.RunIdentity;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.MeasureRun;
 import io.github.knotresolver.ui.MeasureWindow;
 import io.github.knotresolver.ui.ShownFrame;
 

@@ -6,8 +6,8 @@ import java.util.SortedMap;
 import ij.ImagePlus;
 import ij.gui.Overlay;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.imagej.RoiConverter;
 import io.github.knotresolver.imagej.LookOverlay;
+import io.github.knotresolver.imagej.RoiConverter;
 
 /** Contours on an image while they are being found. */
 final class SightingLayer implements AutoCloseable {

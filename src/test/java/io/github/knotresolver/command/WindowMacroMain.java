@@ -7,9 +7,9 @@ import ij.ImageJ;
 import ij.WindowManager;
 import ij.plugin.frame.RoiManager;
 import io.github.knotresolver.imagej.RoiContours;
-import io.github.knotresolver.run.MeasureRun;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.MeasureRun;
 
 /** Runs a macro in plain ImageJ on a display: its file. */
 public final class WindowMacroMain {

@@ -21,10 +21,10 @@ import io.github.knotresolver.io.BatchSheet;
 import io.github.knotresolver.io.ContourInput;
 import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.CorrectionsCsv;
-import io.github.knotresolver.run.MeasureRun;
 import io.github.knotresolver.io.ResolvedRun;
 import io.github.knotresolver.io.TruthCsv;
 import io.github.knotresolver.options.RunOptions;
+import io.github.knotresolver.run.MeasureRun;
 
 /** Every reader understands what it is given, or refuses it in a sentence, and soon. */
 class ReadersFuzzTest extends Fuzzing {

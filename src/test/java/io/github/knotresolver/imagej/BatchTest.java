@@ -28,8 +28,8 @@ import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.session.Engine;
 import io.github.knotresolver.run.ResolveRun;
+import io.github.knotresolver.session.Engine;
 
 /** Movies side by side. */
 class BatchTest {

@@ -36,10 +36,8 @@ import io.github.knotresolver.imagej.plot.MeasurementFolder;
 import io.github.knotresolver.io.ContourInput;
 import io.github.knotresolver.io.ContoursCsv;
 import io.github.knotresolver.io.FilamentMeasurements;
-import io.github.knotresolver.run.MeasureRun;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
-import io.github.knotresolver.run.RunReport;
 import io.github.knotresolver.measure.MeasuredTracks;
 import io.github.knotresolver.model.Anchor;
 import io.github.knotresolver.model.FilamentTrack;
@@ -49,8 +47,10 @@ import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.MeasureRun;
 import io.github.knotresolver.run.Outcome;
 import io.github.knotresolver.run.ResolveRun;
+import io.github.knotresolver.run.RunReport;
 
 /** A result with a clamped filament, a free one that leaves the view, and one that is lost. */
 class SeveralFilamentsTest {

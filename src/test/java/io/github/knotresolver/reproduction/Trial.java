@@ -17,8 +17,8 @@ import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.session.Session;
 import io.github.knotresolver.session.FrameSkeletons;
+import io.github.knotresolver.session.Session;
 import io.github.knotresolver.simulate.SimulatedMovie;
 
 /** One method on one movie, judged frame by frame. */

@@ -30,9 +30,9 @@ import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.session.Engine;
 import io.github.knotresolver.run.ResolveRun;
 import io.github.knotresolver.run.ResultSink;
+import io.github.knotresolver.session.Engine;
 
 /** What a review reads from a result folder and writes into it, without a window. */
 class ReviewedResultTest {

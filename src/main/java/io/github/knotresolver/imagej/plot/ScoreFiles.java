@@ -7,9 +7,9 @@ import java.util.List;
 
 import io.github.knotresolver.io.EvaluationCsv;
 import io.github.knotresolver.io.OutputFiles;
-import io.github.knotresolver.run.Scores;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.Scores;
 
 /** An evaluation as a table, with its figures beside it. */
 public final class ScoreFiles implements AutoCloseable {
