@@ -12,9 +12,6 @@ import io.github.knotresolver.track.SceneTracks.Filament;
 /** The frames in which a filament is not sure, and the filaments that it touches there. */
 final class DoubtfulEpisodes {
 
-	/** Contours nearer than this (pixels) touch. */
-	private static final double TOUCH = 5;
-
 	private final List<Filament> filaments;
 
 	/** @param filaments numbered from 1 in this order */
@@ -75,7 +72,7 @@ final class DoubtfulEpisodes {
 	private static boolean touch(final Polyline a, final Polyline b) {
 		for (int i = 0; i < a.size(); i++)
 			for (int j = 0; j < b.size(); j++)
-				if (Math.hypot(a.x(i) - b.x(j), a.y(i) - b.y(j)) < TOUCH)
+				if (Math.hypot(a.x(i) - b.x(j), a.y(i) - b.y(j)) < SceneTuning.TOUCH)
 					return true;
 		return false;
 	}

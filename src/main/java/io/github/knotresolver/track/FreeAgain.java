@@ -107,7 +107,7 @@ final class FreeAgain {
 		for (final Course other : courses) {
 			Course a = best, b = other;
 			for (int t = end; t != start; t -= step) {
-				if (a.chain().farthest(b.chain()) > Hypotheses.VISIBLE)
+				if (a.chain().farthest(b.chain()) > SceneTuning.VISIBLY_FAR)
 					gap[t] = Math.min(gap[t], other.sum() - best.sum());
 				a = a.before();
 				b = b.before();

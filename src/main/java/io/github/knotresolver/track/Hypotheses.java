@@ -18,18 +18,6 @@ import io.github.knotresolver.geometry.Polyline;
  */
 record Hypotheses(List<List<Chain>> passes, List<Integer> numbers) {
 
-	/** Two passes agree in a frame if their curves are this near on average (pixels). */
-	static final double SAME = 3;
-
-	/** Two curves differ visibly whose points (pixels) are somewhere farther from each other. */
-	static final double VISIBLE = 5;
-
-	/** Filaments whose lengths differ by more are not the same. */
-	private static final double LENGTH_SHARE = 0.02, LENGTH = 1;
-
-	/** So many frames must agree. */
-	private static final int FEWEST = 3;
-
 	/**
 	 * Finds the filaments of the first pass in the others.
 	 *
@@ -56,7 +44,7 @@ record Hypotheses(List<List<Chain>> passes, List<Integer> numbers) {
 		for (int i = 0; i < found.size(); i++)
 			for (int j = 0; j < pass.filaments(); j++) {
 				final Pair pair = compare(found.get(i).passes.get(0), pass.filament(j), i, j);
-				if (pair.agreeing >= FEWEST)
+				if (pair.agreeing >= SceneTuning.AGREEING)
 					pairs.add(pair);
 			}
 		pairs.sort(Comparator.comparingInt(Pair::agreeing).reversed().thenComparingInt(Pair::mine)
@@ -79,14 +67,14 @@ record Hypotheses(List<List<Chain>> passes, List<Integer> numbers) {
 		int same = 0, reversed = 0;
 		final double a = mine.get(0).length();
 		final double b = other.get(0).length();
-		if (Math.abs(a - b) <= LENGTH_SHARE * Math.max(a, b) + LENGTH)
+		if (Math.abs(a - b) <= SceneTuning.SAME_LENGTH_SHARE * Math.max(a, b) + SceneTuning.SAME_LENGTH)
 			for (int t = 0; t < mine.size(); t++) {
 				if (mine.get(t).start().distanceTo(other.get(t).start()) > a + b)
 					continue;
 				final Polyline p = mine.get(t).polyline(), q = other.get(t).polyline();
-				if (SceneSeed.oneWay(p, q) < SAME)
+				if (SceneSeed.oneWay(p, q) < SceneTuning.SAME_CURVE)
 					same++;
-				else if (SceneSeed.oneWay(p, q.reversed()) < SAME)
+				else if (SceneSeed.oneWay(p, q.reversed()) < SceneTuning.SAME_CURVE)
 					reversed++;
 			}
 		return new Pair(i, j, Math.max(same, reversed), reversed > same);

@@ -15,15 +15,6 @@ import io.github.knotresolver.fit.Scene;
  */
 final class JointFit {
 
-	/** What moves less (pixels) has found its place. */
-	static final double STILL = 0.2;
-
-	/** A link of another length (pixels) is made anew. */
-	private static final double SHORTEST_LINK = 1.5, LONGEST_LINK = 4.5;
-
-	/** A chain does not get shorter than this (pixels). */
-	private static final double SHORTEST = 4;
-
 	private final Scene scene;
 	private final SceneWeights weights;
 	private final int held;
@@ -50,7 +41,7 @@ final class JointFit {
 
 	private boolean isRestless(final int k, final double[] moved) {
 		for (int other = 0; other < moved.length; other++)
-			if (moved[other] > STILL && (other == k || scene.mayTouch(k, other)))
+			if (moved[other] > SceneTuning.SWEEP_STILL && (other == k || scene.mayTouch(k, other)))
 				return true;
 		return false;
 	}
@@ -61,12 +52,12 @@ final class JointFit {
 		final Fit fit = scene.window(List.of(before)).fit(before, Optional.empty(), settings);
 		final Chain after = fit.chain();
 		final double moved = before.distance(after);
-		scene.put(k, after.length() < SHORTEST ? before : relinked(after));
+		scene.put(k, after.length() < SceneTuning.SHORTEST_CHAIN ? before : relinked(after));
 		return moved;
 	}
 
 	private static Chain relinked(final Chain chain) {
-		return chain.linkLength() >= SHORTEST_LINK && chain.linkLength() <= LONGEST_LINK
+		return chain.linkLength() >= SceneTuning.SHORTEST_LINK && chain.linkLength() <= SceneTuning.LONGEST_LINK
 			? chain
 			: Chain.inScene(chain.polyline(), chain.length());
 	}

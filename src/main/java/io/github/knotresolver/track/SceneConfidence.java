@@ -26,26 +26,6 @@ import io.github.knotresolver.model.Observation;
 record SceneConfidence(double gap, double unexplained, double dark, double haste,
 	double elsewhere) {
 
-	private static final double GAP_SCALE = 2;
-
-	/** Unexplained light (strands squared) that says nothing, and what leaves a third. */
-	private static final double HARMLESS = 0.25, SCALE = 1;
-
-	/** Multiples of usual motion that say nothing, and that leave hardly any confidence. */
-	private static final double USUAL = 3, HOPELESS = 10, LEAST = 0.05;
-
-	/** A filament may be unclear in this share of the frames, and no frame of it is doubtful. */
-	private static final double SELDOM = 0.2;
-
-	/** Light below this share of a strand's is hardly any. */
-	private static final double DARK = 0.35;
-
-	/** From this on nothing needs to be said. */
-	private static final double SURE = 0.9;
-
-	/** A contour is no surer than those of so many frames before and after it. */
-	private static final int NEIGHBOURS = 5;
-
 	/** What lowers a confidence, in the order of {@link #factors}. */
 	private static final List<String> WORDS = List.of(
 		"another course of the filaments explains the movie nearly as well",
@@ -58,15 +38,15 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 	}
 
 	private double[] factors() {
-		return new double[]{1 - Math.exp(-gap / GAP_SCALE),
-			Math.exp(-Math.max(0, unexplained - HARMLESS) / SCALE), 1 - dark,
-			Math.min(1, Math.max(LEAST, (HOPELESS - haste) / (HOPELESS - USUAL))),
-			Math.min(1, 1 + SELDOM - elsewhere)};
+		return new double[]{1 - Math.exp(-gap / SceneTuning.SCENE_GAP),
+			Math.exp(-Math.max(0, unexplained - SceneTuning.HARMLESS_LIGHT) / SceneTuning.LIGHT_SCALE), 1 - dark,
+			Math.min(1, Math.max(SceneTuning.LEAST_OF_HASTE, (SceneTuning.HOPELESS_HASTE - haste) / (SceneTuning.HOPELESS_HASTE - SceneTuning.USUAL_HASTE))),
+			Math.min(1, 1 + SceneTuning.SELDOM_UNCLEAR - elsewhere)};
 	}
 
 	/** What lowers the confidence most, in words; empty if it is high. */
 	String reason() {
-		if (value() >= SURE)
+		if (value() >= SceneTuning.SURE_ENOUGH)
 			return "";
 		final double[] factors = factors();
 		int worst = 0;
@@ -88,13 +68,13 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 		for (int t = 0; t < frames.size(); t++) {
 			final Observation here = frames.get(t);
 			final double least = frames
-				.subList(Math.max(0, t - NEIGHBOURS), Math.min(frames.size(), t + NEIGHBOURS + 1))
+				.subList(Math.max(0, t - SceneTuning.LIKE_NEIGHBOURS), Math.min(frames.size(), t + SceneTuning.LIKE_NEIGHBOURS + 1))
 				.stream().filter(o -> o.contour().isPresent()).mapToDouble(Observation::confidence)
 				.min().orElse(1);
 			cautious
 				.add(here.contour().isEmpty() || least >= here.confidence()
 					? here
-					: here.withConfidence(least, !here.reason().isEmpty() || least >= SURE
+					: here.withConfidence(least, !here.reason().isEmpty() || least >= SceneTuning.SURE_ENOUGH
 						? here.reason()
 						: "Doubtful: the contour of a frame just before or after this one is."));
 		}
@@ -103,7 +83,7 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 
 	/** The gap that alone would give a confidence. */
 	static double gapOf(final double confidence) {
-		return -GAP_SCALE * Math.log(Math.max(1e-12, 1 - confidence));
+		return -SceneTuning.SCENE_GAP * Math.log(Math.max(1e-12, 1 - confidence));
 	}
 
 	/** The share of a chain's length, as far as it is in view, that lies in the dark. */
@@ -115,7 +95,7 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 			final double y = 0.5 * (curve.y(i) + curve.y(i + 1));
 			if (isInside(light, x, y)) {
 				inside++;
-				if (light.meanAround(x, y) < DARK)
+				if (light.meanAround(x, y) < SceneTuning.DARK_LIGHT)
 					dark++;
 			}
 		}

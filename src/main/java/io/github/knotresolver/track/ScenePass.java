@@ -21,15 +21,6 @@ import io.github.knotresolver.progress.Workers;
  */
 record ScenePass(int start, List<List<Chain>> chains) {
 
-	/** Price of a filament, in strands squared. */
-	private static final double PER_FILAMENT = 3;
-
-	/** So much unexplained light around a place (strands squared) is no noise. */
-	private static final double UNCLEAR = 0.5;
-
-	/** A filament that ends at a place does so within this (pixels). */
-	private static final double NEAR = 12;
-
 	/** Follows the filaments of a seed forwards and backwards. */
 	static ScenePass from(final int start, final List<Chain> seed, final SceneLine line,
 		final SceneWeights weights, final Progress progress) {
@@ -101,7 +92,7 @@ record ScenePass(int start, List<List<Chain>> chains) {
 				chains.get(t));
 			final Unexplained left = new Unexplained(scene, line.noise());
 			for (int k = 0; k < clear.length; k++)
-				clear[k][t] = left.worst(chains.get(t).get(k)) <= UNCLEAR;
+				clear[k][t] = left.worst(chains.get(t).get(k)) <= SceneTuning.UNCLEAR_LIGHT;
 			return t;
 		});
 		return clear;
@@ -118,7 +109,7 @@ record ScenePass(int start, List<List<Chain>> chains) {
 
 	/** The filament one of whose ends is usually nearest to a place; -1 if none is near. */
 	int endingAt(final Point place) {
-		double nearest = NEAR;
+		double nearest = SceneTuning.PLACE_NEAR;
 		int which = -1;
 		for (int k = 0; k < filaments(); k++) {
 			final double[] distances = filament(k).stream().mapToDouble(
@@ -153,7 +144,7 @@ record ScenePass(int start, List<List<Chain>> chains) {
 	}
 
 	double priceOfFilaments() {
-		return PER_FILAMENT * filaments();
+		return SceneTuning.PER_FILAMENT * filaments();
 	}
 
 	int filaments() {

@@ -16,15 +16,6 @@ import io.github.knotresolver.progress.Workers;
  */
 final class ScenePool {
 
-	/** A filament is known that is clear in this share of the frames. */
-	private static final double MANY = 0.5;
-
-	/** Clear in this share of the frames: beyond doubt. */
-	private static final double ALWAYS = 0.98;
-
-	/** Chains lie on each other where they are this near (pixels), for this share of one. */
-	private static final double NEAR = 3, OVERLAP = 0.5;
-
 	private final SceneLine line;
 	private final List<Known> filaments = new ArrayList<>();
 
@@ -48,10 +39,10 @@ final class ScenePool {
 			int count = 0;
 			for (final boolean c : clear[k])
 				count += c ? 1 : 0;
-			all += count >= ALWAYS * clear[k].length ? 1 : 0;
+			all += count >= SceneTuning.ALWAYS_CLEAR * clear[k].length ? 1 : 0;
 			final List<Chain> chains = pass.filament(k);
-			if (count >= MANY * clear[k].length
-				&& chains.get(0).length() >= SceneTracks.SPECK * line.tables().model().sigma())
+			if (count >= SceneTuning.KNOWN_CLEAR * clear[k].length
+				&& chains.get(0).length() >= SceneTuning.SCENE_SPECK * line.tables().model().sigma())
 				filaments.add(new Known(chains, clear[k], count));
 		}
 		filaments.sort(Comparator.comparingInt(Known::count).reversed());
@@ -81,7 +72,7 @@ final class ScenePool {
 
 	private static boolean lieOnEachOther(final Chain a, final Chain b) {
 		final Polyline p = a.polyline(), q = b.polyline();
-		return shareNear(p, q) > OVERLAP || shareNear(q, p) > OVERLAP;
+		return shareNear(p, q) > SceneTuning.OVERLAP || shareNear(q, p) > SceneTuning.OVERLAP;
 	}
 
 	private static double shareNear(final Polyline p, final Polyline q) {
@@ -94,7 +85,7 @@ final class ScenePool {
 
 	private static boolean isNear(final Polyline p, final int i, final Polyline q) {
 		for (int k = 0; k + 1 < q.size(); k++)
-			if (p.point(i).distanceToSegment(q.point(k), q.point(k + 1)) < NEAR)
+			if (p.point(i).distanceToSegment(q.point(k), q.point(k + 1)) < SceneTuning.OVERLAP_NEAR)
 				return true;
 		return false;
 	}

@@ -18,17 +18,6 @@ import io.github.knotresolver.track.SceneSettler.Settled;
  */
 final class SceneRefinement {
 
-	/** A filament that is unclear in more than this share of frames is followed again. */
-	private static final double SOME = 0.02;
-
-	private static final int ROUNDS = 2;
-
-	/** What moves less (pixels a frame, median) lies still. */
-	private static final double STILL = 0.5;
-
-	/** A filament that winds up is not taken for more than so many. */
-	private static final int PIECES = 4;
-
 	private final SceneLine line;
 	private final SceneWeights weights;
 	private final Workers workers;
@@ -47,7 +36,7 @@ final class SceneRefinement {
 	List<Settled> refine(final List<Settled> found) {
 		List<Settled> filaments = found;
 		boolean[] unclear = unclear(filaments);
-		for (int round = 0; round < ROUNDS; round++)
+		for (int round = 0; round < SceneTuning.REFINE_ROUNDS; round++)
 			for (int k = 0; k < filaments.size(); k++) {
 				progress.checkCancelled();
 				if (!unclear[k])
@@ -71,7 +60,7 @@ final class SceneRefinement {
 			int frames = 0;
 			for (final boolean c : clear[k])
 				frames += c ? 0 : 1;
-			unclear[k] = frames > SOME * clear[k].length;
+			unclear[k] = frames > SceneTuning.SOME_UNCLEAR * clear[k].length;
 		}
 		return unclear;
 	}
@@ -93,7 +82,7 @@ final class SceneRefinement {
 		int byItself = 0;
 		for (int t = 0; t < clear.length; t++)
 			byItself += !clear[t] && pass.isAlone(k, t, line) ? 1 : 0;
-		return byItself <= SOME * clear.length
+		return byItself <= SceneTuning.SOME_UNCLEAR * clear.length
 			? filaments
 			: new FreeAgain(line, workers, progress).follow(pass, k, clear)
 				.map(s -> cheaper(filaments, filaments, k, s)).orElse(filaments);
@@ -104,10 +93,10 @@ final class SceneRefinement {
 		final ScenePass pass = ScenePass.of(filaments);
 		final List<Settled> still = new ArrayList<>();
 		for (int k = 0; k < filaments.size(); k++)
-			if (pass.motion(k) < STILL)
+			if (pass.motion(k) < SceneTuning.REFINE_STILL)
 				still.add(filaments.get(k));
 		if (still.isEmpty() || still.size() == filaments.size()
-			|| filaments.size() - still.size() > PIECES)
+			|| filaments.size() - still.size() > SceneTuning.MOST_PIECES)
 			return filaments;
 		final Optional<Settled> moving = again.followBeside(ScenePass.of(still));
 		if (moving.isEmpty())

@@ -17,12 +17,6 @@ import io.github.knotresolver.skeleton.Skeletonize;
 /** What a frame shows besides some filaments that are known. */
 final class SceneRemainder {
 
-	/** Where they shine more than this (strands), the mask is made anew. */
-	private static final double SHINES = 0.1;
-
-	/** There a pixel belongs to the rest if so much light (strands) is left around it. */
-	private static final double LEFT = 0.4;
-
 	private SceneRemainder() {
 	}
 
@@ -37,11 +31,11 @@ final class SceneRemainder {
 	static FrameView of(final FrameView frame, final LineTables line, final List<Chain> known) {
 		final Scene scene = new Scene(frame.light(), line, known);
 		final NormalizedFrame left = scene.residual();
-		final boolean[] shone = scene.drawnAbove(SHINES);
+		final boolean[] shone = scene.drawnAbove(SceneTuning.KNOWN_SHINES);
 		final boolean[] mask = Pixels.bits(frame.mask());
 		for (int i = 0; i < mask.length; i++)
 			if (shone[i])
-				mask[i] = left.meanAround(i % left.width(), i / left.width()) > LEFT;
+				mask[i] = left.meanAround(i % left.width(), i / left.width()) > SceneTuning.REST_LEFT;
 		final Img<BitType> rest = Pixels.mask(mask, left.width());
 		return new FrameView(frame.frame(), left, rest, SkeletonGraph.of(Skeletonize.thin(rest)));
 	}

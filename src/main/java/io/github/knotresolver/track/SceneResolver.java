@@ -98,7 +98,7 @@ public final class SceneResolver {
 		final SceneSeeds looks = new SceneSeeds(line, weights);
 		final List<SceneSeed> seeds = looks.all(workers, progress);
 		if (onlyScenes
-			&& LoneSeeds.areOfOneClamped(seeds, SceneTracks.SPECK * line.tables().model().sigma()))
+			&& LoneSeeds.areOfOneClamped(seeds, SceneTuning.SCENE_SPECK * line.tables().model().sigma()))
 			return Optional.empty();
 		final List<Priced> passes = passes(line, weights, looks, seeds);
 		if (passes.isEmpty())

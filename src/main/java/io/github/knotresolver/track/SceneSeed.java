@@ -18,15 +18,6 @@ import io.github.knotresolver.geometry.Polyline;
  */
 record SceneSeed(int frame, List<Chain> chains, boolean[] stable, double coverage) {
 
-	/** A filament of the next frame lies within this (pixels) and is as long within these. */
-	private static final double NEAR = 8, LENGTH = 2.5, LENGTH_SHARE = 0.03;
-
-	/** What an unstable chain takes from a seed's worth. */
-	private static final double DOUBT = 0.02;
-
-	/** Points at which curves are compared. */
-	private static final int POINTS = 24;
-
 	/**
 	 * @param frame index of the frame
 	 * @param here its chains
@@ -69,10 +60,10 @@ record SceneSeed(int frame, List<Chain> chains, boolean[] stable, double coverag
 
 	/** The length of the chain that lies where a chain is and is about as long; 0 if none is. */
 	private static double lengthOfNearest(final Chain chain, final List<Chain> others) {
-		double nearest = NEAR, length = 0;
+		double nearest = SceneTuning.SEED_NEAR, length = 0;
 		for (final Chain other : others)
-			if (Math.abs(other.length() - chain.length()) < Math.max(LENGTH,
-				LENGTH_SHARE * chain.length())) {
+			if (Math.abs(other.length() - chain.length()) < Math.max(SceneTuning.SEED_LENGTH,
+				SceneTuning.SEED_LENGTH_SHARE * chain.length())) {
 				final double distance = distance(chain.polyline(), other.polyline());
 				if (distance < nearest) {
 					nearest = distance;
@@ -88,11 +79,11 @@ record SceneSeed(int frame, List<Chain> chains, boolean[] stable, double coverag
 	}
 
 	static double oneWay(final Polyline a, final Polyline b) {
-		final Polyline p = a.divided(POINTS), q = b.divided(POINTS);
+		final Polyline p = a.divided(SceneTuning.SEED_POINTS), q = b.divided(SceneTuning.SEED_POINTS);
 		double sum = 0;
-		for (int i = 0; i <= POINTS; i++)
+		for (int i = 0; i <= SceneTuning.SEED_POINTS; i++)
 			sum += p.point(i).distanceTo(q.point(i));
-		return sum / (POINTS + 1);
+		return sum / (SceneTuning.SEED_POINTS + 1);
 	}
 
 	int doubtful() {
@@ -104,6 +95,6 @@ record SceneSeed(int frame, List<Chain> chains, boolean[] stable, double coverag
 
 	/** The higher, the better to start from. */
 	double worth() {
-		return Math.min(coverage, 1) - DOUBT * doubtful();
+		return Math.min(coverage, 1) - SceneTuning.SEED_DOUBT * doubtful();
 	}
 }

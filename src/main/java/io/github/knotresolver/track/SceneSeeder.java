@@ -19,21 +19,6 @@ import io.github.knotresolver.geometry.Polyline;
  */
 final class SceneSeeder {
 
-	/** What a filament must explain, in strands squared, and how long it must be (pixels). */
-	static final double PRICE = 12, SHORTEST = 8;
-
-	/** GaussianSmoothing of a trail's corners (pixels). */
-	private static final double SMOOTH = 2;
-
-	/** A skeleton ends so much (pixels) before the light does. */
-	private static final double HIDDEN = 1.5;
-
-	/** A turn by more than this (radians) within twice so many pixels is two ends that touch. */
-	private static final double CORNER = 1.75;
-	private static final int CORNER_REACH = 8;
-
-	private static final int FIRST_SWEEPS = 3, SWEEPS = 2, ROUNDS = 2;
-
 	private final LineTables line;
 	private final SceneWeights weights;
 
@@ -53,14 +38,14 @@ final class SceneSeeder {
 		final List<Chain> all = new ArrayList<>(known);
 		all.addAll(starts(held == 0 ? frame : SceneRemainder.of(frame, line, known)));
 		final Scene scene = new Scene(frame.light(), line, all);
-		new JointFit(scene, weights, held).sweep(FIRST_SWEEPS);
+		new JointFit(scene, weights, held).sweep(SceneTuning.FIRST_SWEEPS);
 		Scene now = scene;
-		for (int round = 0; round < ROUNDS; round++) {
+		for (int round = 0; round < SceneTuning.SEED_ROUNDS; round++) {
 			now = new Scene(frame.light(), line, UnexplainedLight.mended(now, held));
-			new JointFit(now, weights, held).sweep(SWEEPS);
+			new JointFit(now, weights, held).sweep(SceneTuning.SEED_SWEEPS);
 			now = new Scene(frame.light(), line, worthTheirPrice(now, held));
 		}
-		new JointFit(now, weights, held).sweep(SWEEPS);
+		new JointFit(now, weights, held).sweep(SceneTuning.SEED_SWEEPS);
 		return now.chains();
 	}
 
@@ -69,7 +54,7 @@ final class SceneSeeder {
 		final List<Chain> chains = new ArrayList<>();
 		for (final Polyline trail : trails(frame).curves())
 			for (final Polyline piece : pieces(smooth(trail)))
-				if (piece.length() >= SHORTEST) {
+				if (piece.length() >= SceneTuning.FILAMENT_SHORTEST) {
 					final Polyline whole = lengthened(piece);
 					chains.add(Chain.inScene(whole, whole.length()));
 				}
@@ -82,21 +67,21 @@ final class SceneSeeder {
 
 	private static Polyline smooth(final Polyline trail) {
 		final Polyline even = trail.resampled(1);
-		return even.size() > 2 ? GaussianSmoothing.gaussian(even, SMOOTH).resampled(1) : even;
+		return even.size() > 2 ? GaussianSmoothing.gaussian(even, SceneTuning.SEED_SMOOTH).resampled(1) : even;
 	}
 
 	/** Cuts a curve, sampled at a pixel, at its corners. */
 	private static List<Polyline> pieces(final Polyline curve) {
 		int corner = -1;
-		double sharpest = CORNER;
-		for (int i = CORNER_REACH; i < curve.size() - CORNER_REACH; i++) {
+		double sharpest = SceneTuning.SEED_CORNER;
+		for (int i = SceneTuning.CORNER_REACH; i < curve.size() - SceneTuning.CORNER_REACH; i++) {
 			final double turn = turn(curve, i);
 			if (turn > sharpest) {
 				sharpest = turn;
 				corner = i;
 			}
 		}
-		if (corner < 0 || curve.size() < 3 * CORNER_REACH)
+		if (corner < 0 || curve.size() < 3 * SceneTuning.CORNER_REACH)
 			return List.of(curve);
 		final List<Polyline> all = new ArrayList<>(pieces(part(curve, 0, corner)));
 		all.addAll(pieces(part(curve, corner, curve.size() - 1)));
@@ -104,7 +89,7 @@ final class SceneSeeder {
 	}
 
 	private static double turn(final Polyline c, final int i) {
-		final int a = i - CORNER_REACH, b = i + CORNER_REACH;
+		final int a = i - SceneTuning.CORNER_REACH, b = i + SceneTuning.CORNER_REACH;
 		final double ux = c.x(i) - c.x(a), uy = c.y(i) - c.y(a);
 		final double vx = c.x(b) - c.x(i), vy = c.y(b) - c.y(i);
 		return Math.abs(Math.atan2(ux * vy - uy * vx, ux * vx + uy * vy));
@@ -119,7 +104,7 @@ final class SceneSeeder {
 
 	private static Polyline lengthened(final Polyline curve) {
 		return UnexplainedLight
-			.extended(UnexplainedLight.extended(curve, HIDDEN).reversed(), HIDDEN).reversed();
+			.extended(UnexplainedLight.extended(curve, SceneTuning.SEED_HIDDEN).reversed(), SceneTuning.SEED_HIDDEN).reversed();
 	}
 
 	private List<Chain> worthTheirPrice(final Scene scene, final int held) {
@@ -129,7 +114,7 @@ final class SceneSeeder {
 			scene.take(k);
 			final double explained = -scene.window(List.of(chain)).price(chain, weights.free())
 				.light();
-			if (explained > PRICE && chain.length() > SHORTEST) {
+			if (explained > SceneTuning.FILAMENT_LIGHT && chain.length() > SceneTuning.FILAMENT_SHORTEST) {
 				scene.put(k, chain);
 				kept.add(chain);
 			}

@@ -16,14 +16,6 @@ import io.github.knotresolver.progress.Progress;
  */
 final class SceneSettler {
 
-	/** Price of motion against unexplained light. */
-	private static final double MOTION = 3;
-
-	/** Price of going from one pass to another. */
-	private static final double CHANGE = 2;
-
-	private static final double BENDING = 0.3, LEAST_MOTION = 0.5;
-
 	private final SceneLine line;
 	private final SceneWeights weights;
 	private final List<ScenePass> passes;
@@ -75,7 +67,7 @@ final class SceneSettler {
 			final List<Chain> chains = filaments.get(k).passes().get(0);
 			final double[] gap = settled.get(k).gap().clone();
 			for (int t = 0; t < gap.length; t++)
-				if (chains.get(t).farthest(settled.get(k).chains().get(t)) > Hypotheses.VISIBLE)
+				if (chains.get(t).farthest(settled.get(k).chains().get(t)) > SceneTuning.VISIBLY_FAR)
 					gap[t] = 0.5;
 			all.add(new Settled(chains, gap, settled.get(k).lengthError()));
 		}
@@ -87,7 +79,7 @@ final class SceneSettler {
 		final double[] prices = new double[here.size()];
 		for (int p = 0; p < prices.length; p++)
 			prices[p] = left.get(filament.pass(p)).around(here)
-				+ BENDING * weights.stiffness() * here.get(p).bending();
+				+ SceneTuning.SETTLE_BENDING * weights.stiffness() * here.get(p).bending();
 		return prices;
 	}
 
@@ -96,7 +88,7 @@ final class SceneSettler {
 		final double usual = usualMotion(filament.passes().get(0));
 		final TrellisPath path = Trellis.solve(prices, (t, i, u, j) -> {
 			final double motion = filament.at(t).get(i).distance(filament.at(u).get(j)) / usual;
-			return motion(motion) + (i == j ? 0 : CHANGE);
+			return motion(motion) + (i == j ? 0 : SceneTuning.SETTLE_CHANGE);
 		}, progress);
 		final List<Chain> chains = new ArrayList<>();
 		final double[] gap = new double[prices.size()];
@@ -104,14 +96,14 @@ final class SceneSettler {
 			final List<Chain> here = filament.at(t);
 			final Chain chosen = here.get(path.choice()[t]);
 			chains.add(chosen);
-			gap[t] = path.gap(t, v -> here.get(v).farthest(chosen) > Hypotheses.VISIBLE);
+			gap[t] = path.gap(t, v -> here.get(v).farthest(chosen) > SceneTuning.VISIBLY_FAR);
 		}
 		return new Settled(chains, gap, filament.lengthError());
 	}
 
 	/** The price of moving by a multiple of what is usual. */
 	static double motion(final double multiple) {
-		return MOTION * (0.2 * multiple + 0.7 * Math.max(0, multiple - 1));
+		return SceneTuning.SETTLE_MOTION * (0.2 * multiple + 0.7 * Math.max(0, multiple - 1));
 	}
 
 	/** How far a filament moves between two frames, in pixels: the median. */
@@ -120,6 +112,6 @@ final class SceneSettler {
 		for (int t = 0; t < motion.length; t++)
 			motion[t] = chains.get(t).distance(chains.get(t + 1));
 		Arrays.sort(motion);
-		return Math.max(LEAST_MOTION, motion.length == 0 ? 0 : motion[motion.length / 2]);
+		return Math.max(SceneTuning.SETTLE_LEAST, motion.length == 0 ? 0 : motion[motion.length / 2]);
 	}
 }

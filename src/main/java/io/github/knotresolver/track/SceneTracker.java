@@ -22,12 +22,6 @@ final class SceneTracker {
 	/** A glider may be faster or slower by so much (pixels), or so much if it was not seen before. */
 	private static final double[] CHANGES = {0, -2, 2}, UNKNOWN = {-4, -2, 2, 4};
 
-	/** Light that is missing or too much (strands), and as deviations of the noise. */
-	private static final double MISMATCH = 0.3, DEVIATIONS = 2.2;
-
-	/** For so many frames on end a chain is mended in each, then in every so many. */
-	private static final int PATIENCE = 10, SELDOM = 5;
-
 	private final LineTables line;
 	private final SceneWeights weights;
 	private final double mismatch;
@@ -44,7 +38,7 @@ final class SceneTracker {
 	SceneTracker(final LineTables line, final SceneWeights weights, final double noise,
 		final List<Chain> start) {
 		this.line = line;
-		mismatch = Math.max(MISMATCH, DEVIATIONS * noise);
+		mismatch = Math.max(SceneTuning.MISMATCH, SceneTuning.MISMATCH_NOISE * noise);
 		this.weights = weights;
 		now = start;
 		wrong = new int[start.size()];
@@ -88,7 +82,7 @@ final class SceneTracker {
 		final boolean[] worthIt = new boolean[wrong.length];
 		for (int k = 0; k < wrong.length; k++) {
 			wrong[k] = scene.isOff(scene.chain(k), mismatch) ? wrong[k] + 1 : 0;
-			worthIt[k] = wrong[k] <= PATIENCE || wrong[k] % SELDOM == 0;
+			worthIt[k] = wrong[k] <= SceneTuning.PATIENCE || wrong[k] % SceneTuning.SELDOM_MENDED == 0;
 		}
 		return worthIt;
 	}
@@ -153,7 +147,7 @@ final class SceneTracker {
 
 	private static boolean isRestless(final Scene scene, final int k, final double[] moved) {
 		for (int other = 0; other < moved.length; other++)
-			if (moved[other] > JointFit.STILL && (other == k || scene.mayTouch(k, other)))
+			if (moved[other] > SceneTuning.SWEEP_STILL && (other == k || scene.mayTouch(k, other)))
 				return true;
 		return false;
 	}

@@ -24,24 +24,6 @@ import io.github.knotresolver.track.SceneSettler.Settled;
  */
 public record SceneTracks(LineModel model, List<Filament> filaments, List<String> notes) {
 
-	/** Where more than this share of a contour is in the dark, there is no filament. */
-	private static final double LOST = 0.6;
-
-	/** Where more than this share is in the dark, no contour can be trusted. */
-	private static final double UNRESOLVED = 0.3;
-
-	/** A contour that is less sure (confidence) is none. */
-	private static final double HOPELESS = 0.05;
-
-	/** A filament of which less than this share is inside the picture is not in view. */
-	private static final double IN_VIEW = 0.25;
-
-	/** What is shorter than so many times the line's sigma is no filament. */
-	static final double SPECK = 16;
-
-	/** A free filament that is less sure on average (confidence) may be a clamped one that winds up. */
-	private static final double CREDIBLE = 0.8;
-
 	/** Clamped filaments first, then the longest. */
 	private static final Comparator<Filament> ORDER = Comparator
 		.comparing((Filament f) -> !f.clamped())
@@ -111,7 +93,7 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 		final List<Filament> filaments = new ArrayList<>();
 		int specks = 0;
 		for (int k = 0; k < usual.length; k++)
-			if (chains.get(k).get(0).length() < SPECK * line.tables().model().sigma())
+			if (chains.get(k).get(0).length() < SceneTuning.SCENE_SPECK * line.tables().model().sigma())
 				specks++;
 			else
 				filaments.add(new Filament(ends.get(k).clamped(), ends.get(k).roams(),
@@ -137,7 +119,7 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 
 	private static String specksNote(final int specks) {
 		return specks + (specks == 1 ? " object was" : " objects were")
-			+ " modelled but not counted as filaments: they are shorter than " + Math.round(SPECK)
+			+ " modelled but not counted as filaments: they are shorter than " + Math.round(SceneTuning.SCENE_SPECK)
 			+ " times the line's sigma.";
 	}
 
@@ -146,7 +128,7 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 	 */
 	public boolean isOneClamped() {
 		return filaments.size() == 1 && (filaments.get(0).clamped()
-			|| !filaments.get(0).roams() && filaments.get(0).meanConfidence() < CREDIBLE);
+			|| !filaments.get(0).roams() && filaments.get(0).meanConfidence() < SceneTuning.CREDIBLE);
 	}
 
 	private static double haste(final List<Chain> chains, final int t) {
@@ -159,18 +141,18 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 	private static Observation observation(final FrameView frame, final Chain chain,
 		final SceneConfidence confidence) {
 		final double visible = SceneConfidence.visible(frame.light(), chain);
-		if (visible < IN_VIEW)
+		if (visible < SceneTuning.IN_VIEW)
 			return Observation
 				.without(frame.frame(), FrameStatus.ABSENT, "The filament is not in view.")
 				.withVisible(visible);
-		if (confidence.dark() > LOST)
+		if (confidence.dark() > SceneTuning.SCENE_LOST)
 			return Observation.without(frame.frame(), FrameStatus.LOST,
 				"No light was found where the filament must be.");
 		final double value = confidence.value();
-		if (value < HOPELESS)
+		if (value < SceneTuning.SCENE_HOPELESS)
 			return Observation.without(frame.frame(), FrameStatus.UNRESOLVED,
 				"No course was found that can be the filament's. " + confidence.reason());
-		if (confidence.dark() > UNRESOLVED)
+		if (confidence.dark() > SceneTuning.SCENE_UNRESOLVED)
 			return Observation.without(frame.frame(), FrameStatus.UNRESOLVED,
 				"The best contour runs in the dark for " + Math.round(100 * confidence.dark())
 					+ " % of its length.");

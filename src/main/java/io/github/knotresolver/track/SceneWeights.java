@@ -16,36 +16,31 @@ record SceneWeights(double stiffness) {
 	/** For filaments that turn around within a few widths, as actin does. */
 	static final SceneWeights SUPPLE = new SceneWeights(0.7);
 
-	/** Memory of the predicted shape, per radian² and pixel: nearly rigid, then loose. */
-	private static final double RIGID = 3, LOOSE = 0.5;
-
-	private static final int FREE_ITERATIONS = 12, FEW_ITERATIONS = 6, SOME_ITERATIONS = 8,
-		ITERATIONS = 25;
-	private static final double TOLERANCE = 4e-4, FAIR = 1e-3, ROUGH = 2e-3;
-	private static final double STIFFER = 4;
+	private static final int SOME_ITERATIONS = 8;
+	private static final double FAIR = 1e-3;
 
 	/** @return both ends and the length free, as in a frame of which nothing is known */
 	FitSettings free() {
-		return new FitSettings(stiffness, 0, 0, FREE_ITERATIONS, TOLERANCE, true);
+		return new FitSettings(stiffness, 0, 0, SceneTuning.FREE_ITERATIONS, SceneTuning.SCENE_TOLERANCE, true);
 	}
 
 	/** @return the same of a stiffer filament, for rough starts */
 	FitSettings freeAndStiff() {
-		return new FitSettings(STIFFER * stiffness, 0, 0, FREE_ITERATIONS, ROUGH, true);
+		return new FitSettings(SceneTuning.STIFFER * stiffness, 0, 0, SceneTuning.FREE_ITERATIONS, SceneTuning.SCENE_ROUGH, true);
 	}
 
 	/** @return of known length, nearly as predicted */
 	FitSettings predicted() {
-		return new FitSettings(stiffness, 0, RIGID, FEW_ITERATIONS, ROUGH, false);
+		return new FitSettings(stiffness, 0, SceneTuning.RIGID, SceneTuning.FEW_ITERATIONS, SceneTuning.SCENE_ROUGH, false);
 	}
 
 	/** @return of known length, loosely as predicted */
 	FitSettings tracked() {
-		return new FitSettings(stiffness, 0, LOOSE, ITERATIONS, TOLERANCE, false);
+		return new FitSettings(stiffness, 0, SceneTuning.LOOSE, SceneTuning.LOOSE_ITERATIONS, SceneTuning.SCENE_TOLERANCE, false);
 	}
 
 	/** @return the same for one of many that are tried: not fitted to the end */
 	FitSettings searched() {
-		return new FitSettings(stiffness, 0, LOOSE, SOME_ITERATIONS, FAIR, false);
+		return new FitSettings(stiffness, 0, SceneTuning.LOOSE, SOME_ITERATIONS, FAIR, false);
 	}
 }

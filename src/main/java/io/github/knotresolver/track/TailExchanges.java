@@ -116,7 +116,7 @@ final class TailExchanges {
 	}
 
 	private static boolean shows(final Chain other, final Chain chain) {
-		return other.farthest(chain) > Hypotheses.VISIBLE;
+		return other.farthest(chain) > SceneTuning.VISIBLY_FAR;
 	}
 
 	private Exchanged fitted(final Scene scene, final int i, final int j, final TailSwap.Pair start,

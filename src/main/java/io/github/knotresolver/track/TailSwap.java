@@ -22,18 +22,6 @@ import io.github.knotresolver.geometry.Polyline;
  */
 final class TailSwap {
 
-	/** Nodes nearer than this (pixels) touch. */
-	private static final double TOUCH = 5;
-
-	/** A part may miss so much (pixels) of a filament's length. */
-	private static final double LENGTH = 10;
-
-	/** A filament's start does not jump farther than this (pixels). */
-	private static final double JUMP = 25;
-
-	private static final double BETTER = 2, SMOOTH = 1.5;
-	private static final int FEWEST_NODES = 5;
-
 	private final Scene scene;
 	private final FitSettings settings;
 	private final List<Chain> expected;
@@ -75,7 +63,7 @@ final class TailSwap {
 
 	private void mend(final int i, final int j) {
 		final Chain a = scene.chain(i), b = scene.chain(j);
-		final List<Pair> exchanged = exchanged(a, b, LENGTH);
+		final List<Pair> exchanged = exchanged(a, b, SceneTuning.SWAP_LENGTH);
 		if (exchanged.isEmpty())
 			return;
 		scene.take(i);
@@ -88,7 +76,7 @@ final class TailSwap {
 				best = new Pair(p.a, p.b, energy);
 		}
 		final Pair fitted = fitted(i, j, best);
-		final boolean better = fitted.energy < before - BETTER;
+		final boolean better = fitted.energy < before - SceneTuning.SWAP_BETTER;
 		scene.put(i, better ? fitted.a : a);
 		scene.put(j, better ? fitted.b : b);
 	}
@@ -135,7 +123,7 @@ final class TailSwap {
 		final List<Pair> all = new ArrayList<>();
 		int from = -1;
 		for (int i = 0; i <= p.size(); i++) {
-			final boolean near = i < p.size() && distance(p, i, q, nearest(p, i, q)) < TOUCH;
+			final boolean near = i < p.size() && distance(p, i, q, nearest(p, i, q)) < SceneTuning.SWAP_TOUCH;
 			if (near && from < 0)
 				from = i;
 			if (!near && from >= 0) {
@@ -175,7 +163,7 @@ final class TailSwap {
 	private static List<Pair> pairs(final Chain a, final Chain b, final List<List<Point>> curves,
 		final double tolerance) {
 		final List<Pair> pairs = new ArrayList<>();
-		if (curves.stream().allMatch(c -> c.size() >= FEWEST_NODES))
+		if (curves.stream().allMatch(c -> c.size() >= SceneTuning.SWAP_NODES))
 			for (int one = 0; one < 2; one++) {
 				final Optional<Chain> first = as(a, curves.get(one), tolerance);
 				final Optional<Chain> second = as(b, curves.get(1 - one), tolerance);
@@ -193,10 +181,10 @@ final class TailSwap {
 			return Optional.empty();
 		if (curve.first().distanceTo(filament.start()) > curve.last().distanceTo(filament.start()))
 			curve = curve.reversed();
-		if (curve.first().distanceTo(filament.start()) > JUMP)
+		if (curve.first().distanceTo(filament.start()) > SceneTuning.SWAP_JUMP)
 			return Optional.empty();
 		final Polyline even = curve.resampled(1);
-		final Polyline smooth = even.size() > 2 ? GaussianSmoothing.gaussian(even, SMOOTH) : even;
+		final Polyline smooth = even.size() > 2 ? GaussianSmoothing.gaussian(even, SceneTuning.SWAP_SMOOTH) : even;
 		final double missing = filament.length() - smooth.length();
 		final Polyline whole = missing > 0
 			? UnexplainedLight.extended(smooth, missing)

@@ -23,12 +23,6 @@ final class TipRepair {
 	/** Lengths of tips that are grown anew (pixels). */
 	private static final double[] TIPS = {9, 18};
 
-	/** Around an end it is looked so far (pixels). */
-	private static final int NEAR = 9;
-
-	/** What growing must gain to be fitted, and what to be kept (strands squared). */
-	private static final double PROMISING = 2, BETTER = 1;
-
 	private final Scene scene;
 	private final FitSettings settings;
 	private final double mismatch;
@@ -55,7 +49,7 @@ final class TipRepair {
 		final SceneWindow window = scene.window(List.of(chain));
 		final double before = window.price(chain, settings).energy();
 		Chain best = chain;
-		double lowest = before - PROMISING;
+		double lowest = before - SceneTuning.TIP_PROMISING;
 		for (final double slide : SLIDES) {
 			final Chain base = chain.slid(slide);
 			for (final double tip : TIPS) {
@@ -84,7 +78,7 @@ final class TipRepair {
 	}
 
 	private boolean keep(final int k, final Fit fit, final double before) {
-		if (fit.energy() > before - BETTER)
+		if (fit.energy() > before - SceneTuning.TIP_BETTER)
 			return false;
 		scene.put(k, fit.chain());
 		return true;
@@ -98,8 +92,8 @@ final class TipRepair {
 
 	private boolean isWrong(final Point end) {
 		final int x = (int) Math.rint(end.x()), y = (int) Math.rint(end.y());
-		for (int row = y - NEAR; row <= y + NEAR; row++)
-			for (int c = x - NEAR; c <= x + NEAR; c++)
+		for (int row = y - SceneTuning.TIP_NEAR; row <= y + SceneTuning.TIP_NEAR; row++)
+			for (int c = x - SceneTuning.TIP_NEAR; c <= x + SceneTuning.TIP_NEAR; c++)
 				if (Math.abs(scene.mismatch(c, row)) > mismatch)
 					return true;
 		return false;

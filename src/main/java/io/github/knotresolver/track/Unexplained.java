@@ -13,9 +13,6 @@ import io.github.knotresolver.geometry.Polyline;
  */
 final class Unexplained {
 
-	/** What a Gaussian of {@link TrackTuning#RESIDUE_BLUR} leaves of the noise. */
-	private static final double CALMED = 0.35;
-
 	private final int width;
 	private final int height;
 	private final double[] map;
@@ -33,7 +30,7 @@ final class Unexplained {
 		map = left.pixels();
 		stamp = new int[map.length];
 		final double floor = Math.max(TrackTuning.RESIDUE_LEAST,
-			Math.pow(TrackTuning.RESIDUE_NOISES * CALMED * noise, 2));
+			Math.pow(TrackTuning.RESIDUE_NOISES * SceneTuning.CALMED * noise, 2));
 		for (int i = 0; i < map.length; i++) {
 			final double square = map[i] * map[i];
 			map[i] = Math.max(0, square / (1 + square / TrackTuning.RESIDUE_LEVEL) - floor);

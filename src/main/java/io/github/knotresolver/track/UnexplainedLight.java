@@ -17,20 +17,6 @@ import io.github.knotresolver.mask.MaskObject;
 /** Light that the chains of a scene leave, as stretches of a line. */
 final class UnexplainedLight {
 
-	/** Blur (pixels) and brightness (strands) from which on light counts. */
-	private static final double BLUR = 1, BRIGHT = 0.4;
-
-	private static final int FEWEST_PIXELS = 8;
-
-	/** A stretch this long (pixels) makes a chain longer, or is one of its own. */
-	private static final double EXTENDS = 6, OWN = 10;
-
-	/** An end this near (pixels) that points this well (cosine) goes on there. */
-	private static final double NEAR = 12, ALIGNED = 0.8;
-
-	/** The direction of an end is taken over so many pixels. */
-	private static final double END = 9;
-
 	private UnexplainedLight() {
 	}
 
@@ -44,8 +30,8 @@ final class UnexplainedLight {
 		scene.chains().forEach(c -> curves.add(c.polyline()));
 		final List<Polyline> added = new ArrayList<>();
 		for (final Polyline stretch : stretches(scene.residual()))
-			if (stretch.length() >= EXTENDS && !extend(curves, stretch, held)
-				&& stretch.length() > OWN)
+			if (stretch.length() >= SceneTuning.LEFT_EXTENDS && !extend(curves, stretch, held)
+				&& stretch.length() > SceneTuning.LEFT_OWN)
 				added.add(stretch);
 		curves.addAll(added);
 		final List<Chain> chains = new ArrayList<>();
@@ -58,15 +44,15 @@ final class UnexplainedLight {
 
 	/** Bright stretches of what is left, each a straight line. */
 	static List<Polyline> stretches(final NormalizedFrame residual) {
-		final double[] left = residual.blurred(BLUR).pixels();
+		final double[] left = residual.blurred(SceneTuning.LEFT_BLUR).pixels();
 		final boolean[] bright = new boolean[left.length];
 		for (int i = 0; i < left.length; i++)
-			bright[i] = left[i] > BRIGHT;
+			bright[i] = left[i] > SceneTuning.LEFT_BRIGHT;
 		final int width = residual.width();
 		final ConnectedComponents parts = ConnectedComponents.of(Pixels.mask(bright, width));
 		final List<Polyline> lines = new ArrayList<>();
 		for (final MaskObject part : parts.objects())
-			if (part.pixels() >= FEWEST_PIXELS)
+			if (part.pixels() >= SceneTuning.LEFT_PIXELS)
 				axis(Pixels.bits(parts.mask(part)), width, part).ifPresent(lines::add);
 		return lines;
 	}
@@ -106,14 +92,14 @@ final class UnexplainedLight {
 	/** Adds a stretch to the nearest end that goes on there; false if there is none. */
 	private static boolean extend(final List<Polyline> curves, final Polyline stretch,
 		final int held) {
-		double nearest = NEAR;
+		double nearest = SceneTuning.LEFT_NEAR;
 		int which = -1;
 		Polyline longer = null;
 		for (int k = held; k < curves.size(); k++)
 			for (final Polyline curve : List.of(curves.get(k), curves.get(k).reversed()))
 				for (final Polyline beyond : List.of(stretch, stretch.reversed())) {
 					final double distance = curve.last().distanceTo(beyond.first());
-					if (distance < nearest && alignment(curve, beyond.last()) > ALIGNED) {
+					if (distance < nearest && alignment(curve, beyond.last()) > SceneTuning.LEFT_ALIGNED) {
 						nearest = distance;
 						which = k;
 						longer = joined(curve, beyond.last());
@@ -125,7 +111,7 @@ final class UnexplainedLight {
 	}
 
 	private static double alignment(final Polyline curve, final Point far) {
-		final Point end = curve.last(), back = curve.at(curve.length() - END);
+		final Point end = curve.last(), back = curve.at(curve.length() - SceneTuning.LEFT_END);
 		final double ux = end.x() - back.x(), uy = end.y() - back.y();
 		final double vx = far.x() - end.x(), vy = far.y() - end.y();
 		return (ux * vx + uy * vy) / Math.max(1e-9, Math.hypot(ux, uy) * Math.hypot(vx, vy));
@@ -141,7 +127,7 @@ final class UnexplainedLight {
 
 	/** A curve with a straight piece of so many pixels at its last point. */
 	static Polyline extended(final Polyline curve, final double by) {
-		final Point end = curve.last(), back = curve.at(curve.length() - END / 2);
+		final Point end = curve.last(), back = curve.at(curve.length() - SceneTuning.LEFT_END / 2);
 		final double d = Math.max(1e-9, end.distanceTo(back));
 		return joined(curve, new Point(end.x() + by * (end.x() - back.x()) / d,
 			end.y() + by * (end.y() - back.y()) / d));

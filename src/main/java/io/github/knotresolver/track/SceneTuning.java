@@ -1,0 +1,439 @@
+package io.github.knotresolver.track;
+
+/**
+ * The numbers by which several filaments are told apart and followed together. Brightness is in
+ * strands: 1 is that of a single one; prices are in strands squared, as the energy of a fit.
+ * {@code scripts/ablation} measures what halving and doubling each does.
+ */
+final class SceneTuning {
+
+	/**
+	 * [px] Contours nearer than this touch. Why: a line is about that wide, and their light runs
+	 * into each other.
+	 */
+	static final double TOUCH = 5;
+
+	/**
+	 * [px] Two passes agree in a frame if their curves are this near on average. Why: less than a
+	 * line's width; fits of one filament agree to a tenth.
+	 */
+	static final double SAME_CURVE = 3;
+
+	/**
+	 * [px] Two curves differ visibly whose points are somewhere farther from each other. Why: a
+	 * line is about that wide.
+	 */
+	static final double VISIBLY_FAR = 5;
+
+	/**
+	 * [share] Filaments whose lengths differ by more than this, and the next, are not the same.
+	 * Why: lengths of clear frames agree to less.
+	 */
+	static final double SAME_LENGTH_SHARE = 0.02;
+
+	/** [px] ... of which this is added, for short ones. Why: an end is known to a pixel. */
+	static final double SAME_LENGTH = 1;
+
+	/**
+	 * [frames] So many frames must agree for two passes to have the same filament. Why: two
+	 * filaments may lie on each other in one or two.
+	 */
+	static final int AGREEING = 3;
+
+	/**
+	 * [px] A chain that moves less in a sweep has found its place. Why: the others hardly feel it.
+	 */
+	static final double SWEEP_STILL = 0.2;
+
+	/**
+	 * [px] A chain whose links have become shorter is divided anew. Why: half the usual link: it
+	 * bends into noise.
+	 */
+	static final double SHORTEST_LINK = 1.5;
+
+	/** [px] ... or longer. Why: half more than the usual link: it cuts corners. */
+	static final double LONGEST_LINK = 4.5;
+
+	/**
+	 * [px] A chain does not get shorter. Why: it could not be told from a spot, and would vanish
+	 * from the fit.
+	 */
+	static final double SHORTEST_CHAIN = 4;
+
+	/**
+	 * [strands²] A gap of this price gives a confidence of 63 %. Why: the noise of a fit's energy.
+	 */
+	static final double SCENE_GAP = 2;
+
+	/**
+	 * [strands²] Unexplained light around a contour that says nothing. Why: the model of the line
+	 * leaves as much.
+	 */
+	static final double HARMLESS_LIGHT = 0.25;
+
+	/**
+	 * [strands²] So much more leaves a third of the confidence. Why: it is the light of some pixels
+	 * of a strand.
+	 */
+	static final double LIGHT_SCALE = 1;
+
+	/** [usual motion] Motion up to this says nothing. Why: beating filaments whip. */
+	static final double USUAL_HASTE = 3;
+
+	/**
+	 * [usual motion] ... and from this on leaves least. Why: only an exchange of filaments is as
+	 * fast.
+	 */
+	static final double HOPELESS_HASTE = 10;
+
+	/** [share] ... which is this. Why: motion alone does not rule a contour out. */
+	static final double LEAST_OF_HASTE = 0.05;
+
+	/**
+	 * [share] A filament may be unclear in so many frames, and no frame of it is doubtful for that.
+	 * Why: crossings take as many.
+	 */
+	static final double SELDOM_UNCLEAR = 0.2;
+
+	/**
+	 * [strands] Light below this is hardly any. Why: a third of a strand: noise and halos stay
+	 * below.
+	 */
+	static final double DARK_LIGHT = 0.35;
+
+	/**
+	 * [probability] From this on nothing is said of a contour. Why: it is what a person does not
+	 * look at again.
+	 */
+	static final double SURE_ENOUGH = 0.9;
+
+	/**
+	 * [frames] A contour is no surer than those of so many frames before and after it. Why:
+	 * identities are exchanged for longer than one frame.
+	 */
+	static final int LIKE_NEIGHBOURS = 5;
+
+	/**
+	 * [strands²] Price of a filament in a frame. Why: light of some pixels is debris, not a
+	 * filament.
+	 */
+	static final double PER_FILAMENT = 3;
+
+	/**
+	 * [strands²] So much unexplained light around a place is no noise. Why: two pixels at the most
+	 * that one counts.
+	 */
+	static final double UNCLEAR_LIGHT = 0.5;
+
+	/**
+	 * [px] A filament that ends at a place that a person shows does so within this. Why: ends drift
+	 * while the movie runs.
+	 */
+	static final double PLACE_NEAR = 12;
+
+	/**
+	 * [share] A filament is known that is clear in so many of the frames. Why: a mistake is not
+	 * followed for half of a movie with all light explained.
+	 */
+	static final double KNOWN_CLEAR = 0.5;
+
+	/** [share] Clear in so many: beyond doubt. Why: a crossing may hide the rest. */
+	static final double ALWAYS_CLEAR = 0.98;
+
+	/** [px] Chains lie on each other where they are this near. Why: less than a line's width. */
+	static final double OVERLAP_NEAR = 3;
+
+	/**
+	 * [share] ... and are one if they are for this part of either. Why: filaments that cross share
+	 * less.
+	 */
+	static final double OVERLAP = 0.5;
+
+	/**
+	 * [share] A filament that is unclear in more of the frames is followed again. Why: one frame in
+	 * fifty may be noise.
+	 */
+	static final double SOME_UNCLEAR = 0.02;
+
+	/**
+	 * [rounds] So often all that are unclear are followed again. Why: what one round mends may
+	 * clear another filament; a third round finds nothing.
+	 */
+	static final int REFINE_ROUNDS = 2;
+
+	/**
+	 * [px] What moves less from frame to frame, at the median, lies still. Why: debris does, and
+	 * fits scatter by less.
+	 */
+	static final double REFINE_STILL = 0.5;
+
+	/**
+	 * [filaments] A filament that winds up is not taken for more than so many. Why: its strands
+	 * meet, so that there are no more ends.
+	 */
+	static final int MOST_PIECES = 4;
+
+	/**
+	 * [strands] Where known filaments shine more, the mask of the rest is made anew. Why: below,
+	 * what they leave is noise.
+	 */
+	static final double KNOWN_SHINES = 0.1;
+
+	/**
+	 * [strands] There a pixel belongs to the rest if so much light is left around it. Why: near
+	 * half of a strand.
+	 */
+	static final double REST_LEFT = 0.4;
+
+	/**
+	 * [px] A filament of the next frame lies within this. Why: faster ones are not followed from a
+	 * seed.
+	 */
+	static final double SEED_NEAR = 8;
+
+	/** [px] ... and is as long within this. Why: its ends are known to a pixel or two. */
+	static final double SEED_LENGTH = 2.5;
+
+	/** [share] ... or, if it is long, this. Why: fits of crossed frames agree to that. */
+	static final double SEED_LENGTH_SHARE = 0.03;
+
+	/**
+	 * [share] What a chain that the frames beside it do not have takes from a seed's worth. Why:
+	 * fifty of them make a seed worthless.
+	 */
+	static final double SEED_DOUBT = 0.02;
+
+	/** [points] Curves are compared at so many points. Why: closer ones move together. */
+	static final int SEED_POINTS = 24;
+
+	/**
+	 * [strands²] A filament must explain more light than this. Why: some pixels more than a bright
+	 * spot has.
+	 */
+	static final double FILAMENT_LIGHT = 12;
+
+	/** [px] ... and be longer. Why: shorter ones have no direction. */
+	static final double FILAMENT_SHORTEST = 8;
+
+	/** [px] Corners of a trail are smoothed by this. Why: pixels make a staircase of a width. */
+	static final double SEED_SMOOTH = 2;
+
+	/**
+	 * [px] A skeleton ends so much before the light does. Why: half a usual width, less what
+	 * thinning leaves.
+	 */
+	static final double SEED_HIDDEN = 1.5;
+
+	/**
+	 * [rad] A turn by more than this is two ends that touch. Why: filaments do not bend by a right
+	 * angle within a few widths.
+	 */
+	static final double SEED_CORNER = 1.75;
+
+	/** [px] ... within twice this. Why: less is a staircase, more is a bend. */
+	static final int CORNER_REACH = 8;
+
+	/**
+	 * [sweeps] So often the chains of trails are fitted at first. Why: they begin a pixel or two
+	 * off.
+	 */
+	static final int FIRST_SWEEPS = 3;
+
+	/** [sweeps] ... and after each change. Why: only what changed moves. */
+	static final int SEED_SWEEPS = 2;
+
+	/**
+	 * [rounds] So often what is left unexplained becomes chains. Why: what two rounds leave is no
+	 * line.
+	 */
+	static final int SEED_ROUNDS = 2;
+
+	/**
+	 * [weight] Price of motion against unexplained light. Why: a jump must outweigh the light of a
+	 * pixel or two.
+	 */
+	static final double SETTLE_MOTION = 3;
+
+	/**
+	 * [strands²] Price of going from one pass to another. Why: as much as a gap that gives 63 % of
+	 * confidence.
+	 */
+	static final double SETTLE_CHANGE = 2;
+
+	/**
+	 * [weight] Price of bending against that of the fit. Why: the light has had its say in the fit;
+	 * bending breaks ties.
+	 */
+	static final double SETTLE_BENDING = 0.3;
+
+	/** [px] The usual motion is at least this. Why: fits are no better. */
+	static final double SETTLE_LEAST = 0.5;
+
+	/**
+	 * [strands] Light that is missing or too much by more than this is no noise. Why: the model of
+	 * the line is off by less.
+	 */
+	static final double MISMATCH = 0.3;
+
+	/**
+	 * [noise sigma] ... and by more than this. Why: it is exceeded by three pixels in a hundred.
+	 */
+	static final double MISMATCH_NOISE = 2.2;
+
+	/**
+	 * [frames] For so many frames on end a chain is mended in each. Why: what ten frames do not
+	 * mend is debris or another filament.
+	 */
+	static final int PATIENCE = 10;
+
+	/** [frames] ... then in every so many. Why: it may come free later. */
+	static final int SELDOM_MENDED = 5;
+
+	/**
+	 * [share] Where more of a contour is in the dark, there is no filament. Why: as of a single
+	 * filament.
+	 */
+	static final double SCENE_LOST = 0.6;
+
+	/**
+	 * [share] ... and where more than this is, no contour can be trusted. Why: as of a single
+	 * filament.
+	 */
+	static final double SCENE_UNRESOLVED = 0.3;
+
+	/**
+	 * [probability] A contour that is less sure is none. Why: nineteen in twenty would be wrong.
+	 */
+	static final double SCENE_HOPELESS = 0.05;
+
+	/**
+	 * [share] A filament of which less is inside the picture is not in view. Why: what a quarter
+	 * shows could be another one.
+	 */
+	static final double IN_VIEW = 0.25;
+
+	/**
+	 * [line widths] What is shorter is no filament. Why: it is a blurred spot: as long as wide, and
+	 * blurred at both ends.
+	 */
+	static final double SCENE_SPECK = 16;
+
+	/**
+	 * [probability] A free filament that is less sure on average may be a clamped one that winds
+	 * up. Why: free ones that are resolved are surer.
+	 */
+	static final double CREDIBLE = 0.8;
+
+	/**
+	 * [price a rad² px] Memory of the predicted shape, nearly rigid. Why: a filament first finds
+	 * its place, then its shape.
+	 */
+	static final double RIGID = 3;
+
+	/** [price a rad² px] ... then loose. Why: only where there is no light does it count. */
+	static final double LOOSE = 0.5;
+
+	/**
+	 * [iterations] A fit with free ends takes so many steps at most. Why: its ends creep, and
+	 * sweeps go on from there.
+	 */
+	static final int FREE_ITERATIONS = 12;
+
+	/** [iterations] ... one that is nearly rigid so many. Why: it is a start only. */
+	static final int FEW_ITERATIONS = 6;
+
+	/** [iterations] ... and one that is loose so many. Why: it settles in ten. */
+	static final int LOOSE_ITERATIONS = 25;
+
+	/**
+	 * [share] A fit ends when its energy falls by less. Why: nodes move by less than a hundredth of
+	 * a pixel.
+	 */
+	static final double SCENE_TOLERANCE = 4e-4;
+
+	/** [share] ... a first one when by less than this. Why: it is fitted again. */
+	static final double SCENE_ROUGH = 2e-3;
+
+	/**
+	 * [ratio] Of seeds, stiffness is so much higher at first. Why: corners of trails are no bends.
+	 */
+	static final double STIFFER = 4;
+
+	/** [px] Nodes nearer than this touch. Why: a line is about that wide. */
+	static final double SWAP_TOUCH = 5;
+
+	/**
+	 * [px] A part may miss so much of a filament's length. Why: tails are grown again from there.
+	 */
+	static final double SWAP_LENGTH = 10;
+
+	/** [px] A filament's start does not jump farther. Why: it is the same end. */
+	static final double SWAP_JUMP = 25;
+
+	/**
+	 * [strands²] An exchange is kept if it is cheaper by this. Why: the noise of a fit's energy.
+	 */
+	static final double SWAP_BETTER = 2;
+
+	/** [px] The corner at an exchange is smoothed by this. Why: chains do not bend by an angle. */
+	static final double SWAP_SMOOTH = 1.5;
+
+	/** [nodes] Exchanged filaments have at least so many. Why: fewer have no shape. */
+	static final int SWAP_NODES = 5;
+
+	/**
+	 * [px] Around an end it is looked so far. Why: three widths: the end may have turned within.
+	 */
+	static final int TIP_NEAR = 9;
+
+	/**
+	 * [strands²] What growing an end anew must gain to be fitted. Why: the noise of a fit's energy.
+	 */
+	static final double TIP_PROMISING = 2;
+
+	/** [strands²] ... and to be kept. Why: the fit gains from noise as well. */
+	static final double TIP_BETTER = 1;
+
+	/**
+	 * [share] What a Gaussian of {@code RESIDUE_BLUR} leaves of the noise. Why: its sum of squares.
+	 */
+	static final double CALMED = 0.35;
+
+	/**
+	 * [px] Light that is left is blurred by this before it counts. Why: single pixels are noise.
+	 */
+	static final double LEFT_BLUR = 1;
+
+	/** [strands] ... and counts from this on. Why: near half of a strand. */
+	static final double LEFT_BRIGHT = 0.4;
+
+	/** [px] Fewer pixels are no stretch of a line. Why: two widths in square are a spot. */
+	static final int LEFT_PIXELS = 8;
+
+	/**
+	 * [px] A stretch this long makes a chain longer. Why: shorter ones are the error of the line's
+	 * model.
+	 */
+	static final double LEFT_EXTENDS = 6;
+
+	/** [px] ... and this long is a chain of its own. Why: shorter ones have no direction. */
+	static final double LEFT_OWN = 10;
+
+	/** [px] An end goes on in a stretch this near. Why: where strands cross, they hide as much. */
+	static final double LEFT_NEAR = 12;
+
+	/**
+	 * [cosine] ... that it points to as well as this. Why: filaments bend by no more over that
+	 * distance.
+	 */
+	static final double LEFT_ALIGNED = 0.8;
+
+	/**
+	 * [px] The direction of an end is taken over so many pixels. Why: less is noise, more is a
+	 * bend.
+	 */
+	static final double LEFT_END = 9;
+
+	private SceneTuning() {
+	}
+}
