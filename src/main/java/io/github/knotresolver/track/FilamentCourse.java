@@ -67,7 +67,7 @@ record FilamentCourse(FilamentEstimate estimate, AnchorPath anchor, LengthCourse
 			case BROKEN -> notes.add("The filament " + broken + ".");
 			case STEADY_AND_BROKEN ->
 				notes.add("The filament " + broken + ", and " + steady + " besides.");
-			case WANDERING -> notes.add(String.format(Locale.ROOT,
+			case PHASES, WANDERING -> notes.add(String.format(Locale.ROOT,
 				"The filament's length changes, from %.1f px in frame %d to %.1f px in frame %d.",
 				begin, first, end, last));
 			case CONSTANT -> {

@@ -10,7 +10,7 @@ import io.github.knotresolver.geometry.RobustStatistics;
 
 /**
  * How long the filament is in every frame: the same in all, growing or shrinking steadily,
- * broken at one frame, both, or wandering. What is known are lengths in some frames; of the
+ * broken at one frame, both, growing and shrinking by turns, or wandering. What is known are lengths in some frames; of the
  * courses through them that one is taken whose misfit, robust, and number of parameters
  * together are least, as in Schwarz's criterion (doi:10.1214/aos/1176344136); a change must
  * be worth its parameters and be visible.
@@ -25,7 +25,7 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 
 	/** The kinds of courses. */
 	enum Kind {
-		CONSTANT, STEADY, BROKEN, STEADY_AND_BROKEN, WANDERING
+		CONSTANT, STEADY, BROKEN, STEADY_AND_BROKEN, PHASES, WANDERING
 	}
 
 	/** The same length in all frames. */
@@ -47,7 +47,7 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 	 * @param seen index of each frame in which the length is known, in order
 	 * @param known those lengths in pixels
 	 * @param frames number of frames
-	 * @return the course; empty if there are too few lengths, or they say that the length is
+	 * @return the course, one that changes by turns only if it changes otherwise; empty if there are too few lengths, or they say that the length is
 	 *         constant
 	 */
 	static Optional<LengthCourse> changing(final int[] seen, final double[] known,
@@ -55,7 +55,7 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 		if (known.length < TrackTuning.COURSE_LENGTHS)
 			return Optional.empty();
 		final Search search = new Search(seen, known, frames);
-		return search.best().filter(c -> c.kind != Kind.CONSTANT && c.isVisible());
+		return Optional.of(search.best()).filter(c -> c.kind != Kind.CONSTANT && c.isVisible());
 	}
 
 	private boolean isVisible() {
@@ -130,31 +130,60 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 			return RobustStatistics.MAD_TO_SD * median(off) / Math.sqrt(1.5);
 		}
 
-		Optional<LengthCourse> best() {
-			final Stream<LengthCourse> broken = IntStream
+		private Stream<LengthCourse> broken() {
+			return IntStream
 				.rangeClosed(TrackTuning.BESIDE_BREAK, known.length - TrackTuning.BESIDE_BREAK)
 				.boxed().flatMap(k -> Stream.of(broken(k, false), broken(k, true)));
-			return Stream
-				.concat(Stream.of(constant(median(known), frames), steady(), wandering()), broken)
-				.min(Comparator.comparingDouble(this::price));
 		}
 
-		private double price(final LengthCourse course) {
+		/** A length that changes at all may do so by turns. */
+		LengthCourse best() {
+			final LengthCourse first = Stream
+				.concat(Stream.of(constant(median(known), frames), steady(), wandering()), broken())
+				.min(Comparator.comparingDouble(c -> price(c, 0, false))).orElseThrow();
+			if (first.kind == Kind.CONSTANT)
+				return first;
+			final LengthPhases phases = LengthPhases.of(seen, known, frames, error,
+				2 * TrackTuning.PARAMETER * Math.log(known.length));
+			final LengthCourse other = unbroken(phases.lengths(), Kind.PHASES);
+			return price(other, phases.turns(), true) < price(first, 0, true) ? other : first;
+		}
+
+		/**
+		 * @param together whether lengths that are far off together, and not by chance each, count
+		 *          more than single ones
+		 */
+		private double price(final LengthCourse course, final int turns, final boolean together) {
+			final double[] off = new double[known.length];
+			for (int i = 0; i < off.length; i++)
+				off[i] = (known[i] - course.lengths[seen[i]]) / error;
 			double sum = 0;
-			for (int i = 0; i < known.length; i++) {
-				final double off = Math.min(TrackTuning.LENGTH_OUTLIER,
-					Math.abs(known[i] - course.lengths[seen[i]]) / error);
-				sum += 0.5 * off * off;
+			for (int i = 0; i < off.length; i++) {
+				final double most = TrackTuning.LENGTH_OUTLIER
+					* (together && isOneOfThree(off, i) ? 2 : 1);
+				final double least = Math.min(most, Math.abs(off[i]));
+				sum += 0.5 * least * least;
 			}
-			return sum + TrackTuning.PARAMETER * Math.log(known.length) * parameters(course.kind);
+			return sum + TrackTuning.PARAMETER * Math.log(known.length)
+				* parameters(course.kind, turns);
 		}
 
-		private double parameters(final Kind kind) {
+		/** Whether a length and those before and after it are all too long, or all too short. */
+		private static boolean isOneOfThree(final double[] off, final int i) {
+			if (i == 0 || i == off.length - 1)
+				return false;
+			final double sign = Math.signum(off[i]);
+			return Math.min(sign * off[i], Math.min(sign * off[i - 1],
+				sign * off[i + 1])) > TrackTuning.LENGTH_OUTLIER;
+		}
+
+		private double parameters(final Kind kind, final int turns) {
 			return switch (kind) {
 				case CONSTANT -> 1;
 				case STEADY -> 2;
 				case BROKEN -> 3;
 				case STEADY_AND_BROKEN -> 5;
+				case PHASES -> 2 + 2 * turns;
 				case WANDERING -> 6 + frames / TrackTuning.WANDERING;
 			};
 		}
