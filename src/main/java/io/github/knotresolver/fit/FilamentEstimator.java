@@ -62,8 +62,7 @@ public final class FilamentEstimator {
 	private record Learned(List<Example> examples, Estimate line) {
 
 		boolean isLine() {
-			return line.amplitude() > 0 && line.residual() < 1
-				&& line.model().sigma() < FitTuning.WIDEST_LINE;
+			return line.isLine() && line.residual() < 1;
 		}
 
 		/**

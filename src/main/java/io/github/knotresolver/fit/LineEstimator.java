@@ -92,6 +92,11 @@ public final class LineEstimator {
 			return isClipped(examples) ? unexplained : residual;
 		}
 
+		/** @return whether what was learned is brighter than its background, and no wider than lines are */
+		public boolean isLine() {
+			return amplitude > 0 && model.sigma() < FitTuning.WIDEST_LINE;
+		}
+
 		/** @return whether the line differs from its background at all */
 		boolean isVisible() {
 			return Double.isFinite(amplitude) && amplitude != 0;

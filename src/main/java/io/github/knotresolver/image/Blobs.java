@@ -42,16 +42,19 @@ final class Blobs {
 		for (int y = 1; y < h.height() - 1; y++)
 			for (int x = 1; x < h.width() - 1; x++) {
 				final int at = y * h.width() + x;
-				if (isRound(h, at, limit[y * binning * width + x * binning]) && isTop(h, at))
+				final float most = limit[y * binning * width + x * binning];
+				if (mean(h, at) > LEAST_MEAN * most && isTop(h, at) && isRound(h, at, most))
 					mark(x * binning + (binning - 1) / 2.0, y * binning + (binning - 1) / 2.0,
 						radius);
 			}
 	}
 
+	private static double mean(final Hessian h, final int at) {
+		return -(h.xx()[at] + h.yy()[at]) / 2;
+	}
+
 	private static boolean isRound(final Hessian h, final int at, final double limit) {
-		final double mean = -(h.xx()[at] + h.yy()[at]) / 2;
-		if (!(mean > LEAST_MEAN * limit))
-			return false;
+		final double mean = mean(h, at);
 		final double half = Math.hypot((h.xx()[at] - h.yy()[at]) / 2, h.xy()[at]);
 		return mean + half > limit && mean - half > ImageTuning.ROUND * (mean + half);
 	}

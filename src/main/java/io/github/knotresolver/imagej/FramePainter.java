@@ -40,10 +40,13 @@ final class FramePainter {
 		final BufferedImage part = new BufferedImage(view.width(), view.height(),
 			BufferedImage.TYPE_INT_RGB);
 		final RandomAccess<? extends RealType<?>> pixel = frame.randomAccess();
-		for (int y = 0; y < view.height(); y++)
-			for (int x = 0; x < view.width(); x++)
-				part.setRGB(x, y, 0x010101 * contrast
-					.gray(pixel.setPositionAndGet(view.x() + x, view.y() + y).getRealDouble()));
+		final int[] row = new int[view.width()];
+		for (int y = 0; y < view.height(); y++) {
+			for (int x = 0; x < row.length; x++)
+				row[x] = 0x010101 * contrast
+					.gray(pixel.setPositionAndGet(view.x() + x, view.y() + y).getRealDouble());
+			part.getRaster().setDataElements(0, y, row.length, 1, row);
+		}
 		return enlarged(part);
 	}
 

@@ -127,7 +127,7 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 				return line;
 			final Estimate next = LineEstimator.estimate(examples, kind, line.model().sigma(),
 				progress);
-			if (!(next.amplitude() > 0))
+			if (!next.isLine())
 				return line;
 			line = next;
 		}

@@ -1,0 +1,63 @@
+
+package io.github.knotresolver.track;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.ArrayList;
+import java.util.List;
+
+import org.junit.jupiter.api.Test;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.fit.LineModel.Kind;
+import io.github.knotresolver.fit.LineTables;
+import io.github.knotresolver.fit.NormalizedFrame;
+import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.graph.SkeletonGraph;
+import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.skeleton.Skeletonize;
+
+class SceneLineTest {
+
+	private static final int SIZE = 120;
+
+	/** A straight line of a width, its ridge found. */
+	private static FrameView frame(final int t, final double sigma) {
+		final NormalizedFrame dark = new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]);
+		final Chain chain = Chain
+			.inScene(Polyline.of(new double[]{15, 105}, new double[]{50 + t, 60}), 90);
+		final double[] light = new Scene(dark,
+			LineTables.together(LineModel.uniform(Kind.ADDITIVE, sigma, 1)), List.of(chain))
+			.residual().pixels();
+		final boolean[] ridge = new boolean[light.length];
+		for (int i = 0; i < light.length; i++) {
+			light[i] = -light[i];
+			ridge[i] = light[i] > 0.9;
+		}
+		return new FrameView(t + 1, new NormalizedFrame(SIZE, SIZE, light),
+			Pixels.mask(ridge, SIZE),
+			SkeletonGraph.of(Skeletonize.thin(Pixels.mask(ridge, SIZE))));
+	}
+
+	private static double sigma(final double drawn) {
+		final List<FrameView> frames = new ArrayList<>();
+		for (int t = 0; t < 3; t++)
+			frames.add(frame(t, drawn));
+		return SceneLine.learn(frames, List.of(Kind.ADDITIVE), Workers.HERE, Progress.NONE).tables()
+			.model().sigma();
+	}
+
+	@Test
+	void aLineIsAsWideAsItLooks() {
+		assertEquals(2, sigma(2), 0.1);
+	}
+
+	@Test
+	void whatIsWiderThanLinesAreIsNotLearned() {
+		assertEquals(1.5, sigma(9), 0);
+	}
+}
