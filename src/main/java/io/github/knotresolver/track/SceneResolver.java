@@ -113,7 +113,7 @@ public final class SceneResolver {
 
 	/** Whether refinement can but make the only filament better, or a speck longer. */
 	private boolean isOneClamped(final SceneLine line, final List<Settled> followed) {
-		final double speck = SceneTracks.SPECK * line.tables().model().sigma();
+		final double speck = SceneTuning.SCENE_SPECK * line.tables().model().sigma();
 		return followed.stream().filter(f -> f.chains().get(0).length() >= speck).count() == 1
 			&& SceneTracks.of(line, followed, ScenePass.of(followed).clear(line, workers),
 				AnchorChoice.AUTO).isOneClamped();
