@@ -102,6 +102,16 @@ record AnchorPath(List<Point> places, double[] weights) {
 		return moves(seen) ? walk(seen) : still(middle, places.size());
 	}
 
+	/**
+	 * Whether it is skeletons alone that say that the end moves, since there are hardly any open
+	 * frames: in noise, or where it lies on the filament, they end anywhere.
+	 *
+	 * @param open fits of open frames
+	 */
+	boolean isHearsay(final OpenFrames open) {
+		return range() > 0 && open.withFixedEnd().size() < TrackTuning.SETTLING;
+	}
+
 	private boolean moves(final List<Seen> seen) {
 		if (seen.size() < TrackTuning.SETTLING)
 			return moves(places, TrackTuning.STILL_SKELETON);

@@ -89,7 +89,7 @@ public final class FitResolver {
 	public Optional<FitSolver> learn(final List<FrameView> frames, final Point fixedEnd,
 		final OptionalDouble length) {
 		return look(frames, fixedEnd, length)
-			.map(seen -> new FitSolver(pools(seen.frames, seen.course)));
+			.map(seen -> new FitSolver(pools(seen)));
 	}
 
 	/**
@@ -134,7 +134,17 @@ public final class FitResolver {
 	}
 
 	/** The frames without bleaching and noise, and what they tell of the filament. */
-	private record Seen(List<FrameView> frames, FilamentCourse course) {
+	private record Seen(List<FrameView> frames, FilamentCourse course, boolean hearsay) {
+
+		Seen withNoise(final double noise) {
+			return new Seen(frames, course.withNoise(noise), hearsay);
+		}
+
+		/** The same, if the fixed end stays where the clearest frames have it. */
+		FilamentCourse still() {
+			return course.withAnchor(
+				AnchorPath.still(course.estimate().fixedEnd(), frames.size()));
+		}
 	}
 
 	private Optional<Seen> look(final List<FrameView> frames, final Point fixedEnd,
@@ -155,12 +165,12 @@ public final class FitResolver {
 		return sightings.isEmpty()
 			? Optional.empty()
 			: estimate(sightings, fixedEnd, length, endsFree)
-				.map(e -> new Seen(steady, course(steady, first, e, ends, length, endsFree)
-					.withNoise(Calming.noise(focused, workers) / e.amplitude())));
+				.map(e -> seen(steady, first, e, ends, length, endsFree)
+					.withNoise(Calming.noise(focused, workers) / e.amplitude()));
 	}
 
 	/** Looks at the open frames to see whether the fixed end moves and the length changes. */
-	private FilamentCourse course(final List<FrameView> frames, final List<CandidateSet> sets,
+	private Seen seen(final List<FrameView> frames, final List<CandidateSet> sets,
 		final FilamentEstimate estimate, final AnchorPath ends, final OptionalDouble told,
 		final FitSettings endsFree) {
 		final OpenFrames open = OpenFrames.find(frames, light(frames, estimate), sets, estimate,
@@ -169,8 +179,10 @@ public final class FitResolver {
 		final Lengths length = Lengths.of(open, frames.size(),
 			told.isEmpty() && lengths == LengthModel.AUTO);
 		final FilamentEstimate settled = told.isPresent() ? estimate : length.settle(estimate);
-		return new FilamentCourse(settled, anchor, length.course(settled.length(), frames.size()),
-			0, endsFree.stiffness());
+		return new Seen(frames,
+			new FilamentCourse(settled, anchor, length.course(settled.length(), frames.size()), 0,
+				endsFree.stiffness()),
+			anchor.isHearsay(open));
 	}
 
 	private static List<NormalizedFrame> light(final List<FrameView> frames,
@@ -212,15 +224,25 @@ public final class FitResolver {
 				: e);
 	}
 
-	private FitPools pools(final List<FrameView> frames, final FilamentCourse course) {
+	private FitPools pools(final Seen seen) {
+		final Proposed first = proposed(seen.frames, seen.course);
+		final Proposed best = seen.hearsay
+			? first.orStill(proposed(seen.frames, seen.still()))
+			: first;
+		final FilamentCourse settled = best.course()
+			.withAnchor(best.course().anchor().refined(best.fits()));
+		return new FitPools(seen.frames, best.light(), settled, best.sets(),
+			pools(best.light(), settled, repriced(best.fits(), best.light(), settled)),
+			settings(best.course()));
+	}
+
+	/** The graph's proposals for a course, fitted. */
+	private Proposed proposed(final List<FrameView> frames, final FilamentCourse course) {
 		final boolean free = lengths == LengthModel.FREE;
 		final List<CandidateSet> sets = candidates(frames, course.anchor()::at,
 			t -> free ? OptionalDouble.empty() : OptionalDouble.of(course.in(t).length()));
 		final List<NormalizedFrame> light = light(frames, course.estimate());
-		final List<List<Fit>> proposals = proposals(frames, light, course, sets);
-		final FilamentCourse settled = course.withAnchor(course.anchor().refined(proposals));
-		return new FitPools(frames, light, settled, sets,
-			pools(light, settled, repriced(proposals, light, settled)), settings(course));
+		return new Proposed(course, light, sets, proposals(frames, light, course, sets));
 	}
 
 	/** The same fits, at the price of another anchor. */
