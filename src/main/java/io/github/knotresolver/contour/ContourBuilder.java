@@ -12,7 +12,7 @@ import io.github.knotresolver.geometry.Polyline;
 /** Makes contours of candidates. */
 public final class ContourBuilder {
 
-	/** GaussianSmoothing of corners at junctions, in pixels. */
+	/** Smoothing of corners at junctions, in pixels. */
 	private static final double SIGMA = 2;
 
 	private ContourBuilder() {

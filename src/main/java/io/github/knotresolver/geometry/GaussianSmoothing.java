@@ -1,7 +1,7 @@
 
 package io.github.knotresolver.geometry;
 
-/** GaussianSmoothing of curves that leaves their end points where they are. */
+/** Smoothing of curves that leaves their end points where they are. */
 public final class GaussianSmoothing {
 
 	/** The kernel reaches this many standard deviations. */
