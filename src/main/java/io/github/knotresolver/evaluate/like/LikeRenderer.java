@@ -21,22 +21,19 @@ final class LikeRenderer implements FrameRenderer {
 
 	private final Backdrop backdrop;
 	private final Appearance look;
-	private final GreyScale scale;
 	private final Point fixedEnd;
 	private final long seed;
 
 	/**
 	 * @param backdrop what is drawn into
 	 * @param look of the line
-	 * @param scale from the movie's grey values to those of the drawn movie
 	 * @param fixedEnd of the user's filament, in pixels
 	 * @param seed start of the random numbers
 	 */
-	LikeRenderer(final Backdrop backdrop, final Appearance look, final GreyScale scale,
-		final Point fixedEnd, final long seed) {
+	LikeRenderer(final Backdrop backdrop, final Appearance look, final Point fixedEnd,
+		final long seed) {
 		this.backdrop = backdrop;
 		this.look = look;
-		this.scale = scale;
 		this.fixedEnd = fixedEnd;
 		this.seed = seed;
 	}
@@ -55,7 +52,7 @@ final class LikeRenderer implements FrameRenderer {
 		for (int i = 0; i < image.length; i++) {
 			final double above = Math.min(look.ceiling(), core[i] + halo[i]);
 			final double noise = gaussian(random) * Math.sqrt(look.shotVariance(above));
-			image[i] = scale.drawn(Math.min(brightest(), image[i] + above + noise));
+			image[i] = look.range().drawn(Math.min(brightest(), image[i] + above + noise));
 		}
 		return image;
 	}

@@ -130,9 +130,8 @@ public final class LikeStudy {
 			.map(curve -> turned(curve, MotionSearch.direction(first))).toList(),
 			c.frameInterval());
 		final Canvas canvas = Canvas.around(turned, source.pixelSize(), MARGIN);
-		final GreyScale scale = GreyScale.of(source.movie(), look.range());
 		final SimulatedMovie drawn = SimulatedMovie.render("like-" + seed, turned, canvas,
-			new LikeRenderer(backdrop, look, scale, first.first(), seed), scale.depth(), progress);
+			new LikeRenderer(backdrop, look, first.first(), seed), look.range().depth(), progress);
 		return new SimulatedMovie(new Movie(drawn.movie().name(), drawn.movie().frames(), c),
 			drawn.truth());
 	}
@@ -173,7 +172,7 @@ public final class LikeStudy {
 	private LikeTraits traits(final SimulatedMovie simulated, final Progress progress) {
 		final List<Optional<Polyline>> truth = simulated.truth().stream().map(Optional::of)
 			.toList();
-		final Appearance own = GreyScale.of(source.movie(), look.range())
+		final Appearance own = look.range()
 			.undone(AppearanceMeter.of(simulated.movie(), truth, progress));
 		return LikeTraits.of(simulated.movie(), truth, own, Motion.of(truth, look.width()));
 	}
