@@ -23,11 +23,6 @@ import io.github.knotresolver.model.Observation;
  */
 final class GivenContours {
 
-	/** A contour that comes so near to a place passes it, in pixels. */
-	private static final double PASSES = 0.25;
-	/** Bending to one place moves the contour off another that is near; so often it is bent again. */
-	private static final int ROUNDS = 40;
-
 	private final List<Constraint> said;
 	private final boolean isScene;
 
@@ -84,7 +79,7 @@ final class GivenContours {
 			return unresolved(found,
 				"What was found does not come near the place that the user gave; draw the whole contour.");
 		Polyline contour = found.contour().get();
-		for (int round = 0; round < ROUNDS && !pass(contour, places); round++)
+		for (int round = 0; round < SessionTuning.BEND_ROUNDS && !pass(contour, places); round++)
 			for (final Constraint c : places)
 				contour = toward(contour, c);
 		return pass(contour, places)
@@ -104,7 +99,7 @@ final class GivenContours {
 	}
 
 	private static boolean pass(final Polyline contour, final List<Constraint> places) {
-		return places.stream().allMatch(c -> farthest(contour, c) <= PASSES);
+		return places.stream().allMatch(c -> farthest(contour, c) <= SessionTuning.PASSES);
 	}
 
 	private static double farthest(final Polyline contour, final Constraint word) {
@@ -125,7 +120,7 @@ final class GivenContours {
 		Polyline bent = contour;
 		for (int i = 0; i < word.shape().size(); i++) {
 			final Point place = word.shape().point(i);
-			if (distance(bent, word, place) > PASSES)
+			if (distance(bent, word, place) > SessionTuning.PASSES)
 				bent = (word.kind() == Kind.TIP ? Drag.tip(bent) : Drag.nearest(bent, place))
 					.to(place);
 		}

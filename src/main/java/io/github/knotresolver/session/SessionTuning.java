@@ -159,6 +159,18 @@ final class SessionTuning {
 	 */
 	static final double DAZZLING = 4;
 
+	/**
+	 * [px] A contour that comes so near to a place that was told passes it. Why: a mouse is no
+	 * steadier.
+	 */
+	static final double PASSES = 0.25;
+
+	/**
+	 * [rounds] So often a contour is bent again at most. Why: bending to one place moves it off
+	 * another that is near, by less each time.
+	 */
+	static final int BEND_ROUNDS = 40;
+
 	private SessionTuning() {
 	}
 }

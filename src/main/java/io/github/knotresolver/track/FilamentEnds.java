@@ -21,40 +21,6 @@ import io.github.knotresolver.model.AnchorChoice;
  */
 record FilamentEnds(boolean clamped, boolean reversed, double slid, boolean roams) {
 
-	/** What is seen clearly for this share of the frames, and for so many, tells the ends. */
-	private static final double ENOUGH = 0.25;
-	private static final int FEWEST = 10;
-
-	/** So many frames in a row that are not clear do not interrupt what is seen. */
-	private static final int GAP = 2;
-
-	/** An end that stays this near (pixels, median) to its place does not go far. */
-	private static final double ROAMS = 8;
-
-	/** A clamped end moves by less than this share of what the other end moves, ... */
-	private static final double STILL_SHARE = 0.4;
-
-	/** ... and by less than this (pixels) from frame to frame. */
-	private static final double STILL = 0.7;
-
-	/**
-	 * A clamped end stays this near (pixels, median) to its place; if all drifts, nearer than
-	 * this share of what the other end does.
-	 */
-	private static final double PLACE = 4, PLACE_SHARE = 0.5;
-
-	/** Motion is looked at over so many frames that a filament slides this far (pixels). */
-	private static final double FAR = 5;
-
-	/**
-	 * What glides stays on its track: it comes off it (median over its points) by less than this
-	 * share of what it slides.
-	 */
-	private static final double OFF_TRACK = 0.15;
-
-	/** Both ends of a filament move alike if neither moves so much less and more smoothly. */
-	private static final double ALIKE = 0.95;
-
 	/**
 	 * The ends by the longest time over which the filament is seen clearly, if that is long
 	 * enough: what happens while it is lost must not decide. Otherwise by all frames.
@@ -68,7 +34,7 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid, boolean roam
 		int from = 0, best = 0, bestFrom = 0, last = -1;
 		for (int t = 0; t < clear.length; t++)
 			if (clear[t]) {
-				if (last < 0 || t - last > GAP + 1)
+				if (last < 0 || t - last > TrackTuning.ENDS_GAP + 1)
 					from = t;
 				last = t;
 				if (t - from + 1 > best) {
@@ -76,7 +42,7 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid, boolean roam
 					bestFrom = from;
 				}
 			}
-		if (best < FEWEST || best < ENOUGH * clear.length) {
+		if (best < TrackTuning.ENDS_FEWEST || best < TrackTuning.ENDS_ENOUGH * clear.length) {
 			final FilamentEnds doubtful = of(chains, anchor);
 			return new FilamentEnds(doubtful.clamped, doubtful.reversed, doubtful.slid, false);
 		}
@@ -102,13 +68,13 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid, boolean roam
 		final boolean stillIsLast = l < f;
 		final double held = spread(chains, stillIsLast), loose = spread(chains, !stillIsLast);
 		final boolean clamped = switch (anchor) {
-			case AUTO -> less < STILL && less < STILL_SHARE * more
-				&& held < Math.max(PLACE, PLACE_SHARE * loose);
+			case AUTO -> less < TrackTuning.HELD_STILL && less < TrackTuning.HELD_SHARE * more
+				&& held < Math.max(TrackTuning.HELD_PLACE, TrackTuning.HELD_PLACE_SHARE * loose);
 			case CLAMPED -> true;
 			case FREE -> false;
 		};
 		return new FilamentEnds(clamped, clamped ? stillIsLast : trails(chains, slid, f, l),
-			Math.abs(slid), !clamped && Math.min(held, loose) > ROAMS);
+			Math.abs(slid), !clamped && Math.min(held, loose) > TrackTuning.ROAMS);
 	}
 
 	/** Whether the last end of a free filament comes first, by its slide and its ends' steps. */
@@ -117,7 +83,7 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid, boolean roam
 		if (glides(chains, slid))
 			return slid < 0;
 		final double f = first * unsteadiness(chains, false), l = last * unsteadiness(chains, true);
-		return Math.min(f, l) < ALIKE * Math.max(f, l) ? l < f : slid < 0;
+		return Math.min(f, l) < TrackTuning.ENDS_ALIKE * Math.max(f, l) ? l < f : slid < 0;
 	}
 
 	/** Whether a filament follows its own track. O(frames links²). */
@@ -125,11 +91,11 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid, boolean roam
 		final int steps = chains.size() - 1;
 		if (steps < 1 || slid == 0)
 			return false;
-		final int lag = (int) Math.min(steps, Math.ceil(FAR * steps / Math.abs(slid)));
+		final int lag = (int) Math.min(steps, Math.ceil(TrackTuning.GLIDES_FAR * steps / Math.abs(slid)));
 		final double[] off = new double[steps + 1 - lag];
 		for (int t = 0; t < off.length; t++)
 			off[t] = offTrack(chains.get(t).polyline(), chains.get(t + lag).polyline());
-		return median(off) < OFF_TRACK * lag * Math.abs(slid) / steps;
+		return median(off) < TrackTuning.OFF_TRACK * lag * Math.abs(slid) / steps;
 	}
 
 	/** Median distance of the nodes of a later shape from an earlier one. */

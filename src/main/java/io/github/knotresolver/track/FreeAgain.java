@@ -20,15 +20,6 @@ import io.github.knotresolver.track.SceneSettler.Settled;
  */
 final class FreeAgain {
 
-	/** It must be clear in so many frames on end. */
-	private static final int FEWEST = 10;
-
-	/** Where it becomes unclear it may have been wrong so many frames before. */
-	private static final int BACK = 4;
-
-	/** Length of a link in pixels: it can turn around within a line's width. */
-	private static final double LINK = 1.5;
-
 	private final SceneLine line;
 	private final Workers workers;
 	private final Progress progress;
@@ -49,7 +40,7 @@ final class FreeAgain {
 	 */
 	Optional<Settled> follow(final ScenePass pass, final int k, final boolean[] clear) {
 		final int[] run = longest(clear);
-		if (run[1] - run[0] < FEWEST)
+		if (run[1] - run[0] < SceneTuning.AGAIN_CLEAR)
 			return Optional.empty();
 		final int n = pass.chains().size();
 		final List<Chain> chains = new ArrayList<>(Collections.nCopies(n, null));
@@ -57,13 +48,13 @@ final class FreeAgain {
 		Arrays.fill(gap, Double.POSITIVE_INFINITY);
 		for (int t = run[0]; t < run[1]; t++)
 			chains.set(t, supple(pass.chains().get(t).get(k)));
-		pursue(pass, k, new int[]{run[1] - BACK, 1}, chains, gap);
-		pursue(pass, k, new int[]{run[0] + BACK - 1, -1}, chains, gap);
+		pursue(pass, k, new int[]{run[1] - SceneTuning.AGAIN_BACK, 1}, chains, gap);
+		pursue(pass, k, new int[]{run[0] + SceneTuning.AGAIN_BACK - 1, -1}, chains, gap);
 		return Optional.of(new Settled(chains, gap, Double.NaN));
 	}
 
 	private static Chain supple(final Chain chain) {
-		return chain.divided(Math.max(chain.links(), (int) Math.rint(chain.length() / LINK)));
+		return chain.divided(Math.max(chain.links(), (int) Math.rint(chain.length() / SceneTuning.AGAIN_LINK)));
 	}
 
 	/** First and last plus one of the longest run of set frames. */
@@ -114,6 +105,6 @@ final class FreeAgain {
 			}
 		}
 		for (int t = end; t != start; t -= step)
-			gap[t] = Math.min(gap[t], Pursuit.MARGIN);
+			gap[t] = Math.min(gap[t], SceneTuning.PURSUIT_MARGIN);
 	}
 }

@@ -15,16 +15,6 @@ import io.github.knotresolver.geometry.Point;
  */
 final class LoneSeeds {
 
-	/** It must be so in this share of the frames, and of so many at least: debris spoils some. */
-	private static final double MOST = 0.75;
-	private static final int FEWEST = 8;
-
-	/** The held end is usually this near (pixels) to its place, and in most frames so near. */
-	private static final double USUALLY = 8, MOSTLY = 16;
-
-	/** The other end is in places that are so far apart (pixels). */
-	private static final double FAR = 32;
-
 	private LoneSeeds() {
 	}
 
@@ -43,12 +33,12 @@ final class LoneSeeds {
 			if (filaments.size() == 1)
 				lone.add(filaments.get(0));
 		}
-		if (lone.size() < Math.max(FEWEST, MOST * seeds.size()))
+		if (lone.size() < Math.max(SceneTuning.LONE_FEWEST, SceneTuning.LONE_MOST * seeds.size()))
 			return false;
 		final Point held = place(lone);
 		final double[] off = distances(lone, held);
-		return off[off.length / 2] <= USUALLY && off[(int) (MOST * (off.length - 1))] <= MOSTLY
-			&& range(lone, held) > FAR;
+		return off[off.length / 2] <= SceneTuning.LONE_USUALLY && off[(int) (SceneTuning.LONE_MOST * (off.length - 1))] <= SceneTuning.LONE_MOSTLY
+			&& range(lone, held) > SceneTuning.LONE_FAR;
 	}
 
 	/** Of all ends the one to which the filament's nearer end is usually nearest. */

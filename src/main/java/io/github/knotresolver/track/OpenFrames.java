@@ -34,27 +34,6 @@ import io.github.knotresolver.progress.Workers;
  */
 record OpenFrames(List<Seen> seen) {
 
-	/** So much skeleton (pixels) may be left out, or, of one that is open, walked twice. */
-	private static final double LEFT_OUT = 6, TWICE = 1;
-
-	/** Of a crossed one, this share of its length may be walked twice ... */
-	private static final double TWICE_CROSSED = 0.25;
-
-	/** ... if no more line than this share of its length is seen but not drawn or drawn but not seen. */
-	private static final double UNEXPLAINED = 0.03;
-
-	/** A fit whose length differs more (relative) from its trail's has gone astray. */
-	private static final double ASTRAY = 0.5;
-
-	/** Without an open frame in so many, crossed ones are taken. */
-	private static final int LONG = 8;
-
-	/** A crossed frame says something new if its length differs so much (relative): a break. */
-	private static final double BROKEN = 0.2;
-
-	/** A fit that runs in the dark for a larger share is none. */
-	private static final double DARK = 0.15;
-
 	/**
 	 * An open filament.
 	 *
@@ -109,19 +88,19 @@ record OpenFrames(List<Seen> seen) {
 			return this;
 		final double usual = new Median().evaluate(open);
 		return new OpenFrames(seen.stream()
-			.filter(s -> !s.crossed || Math.abs(s.chain.length() / usual - 1) > BROKEN).toList());
+			.filter(s -> !s.crossed || Math.abs(s.chain.length() / usual - 1) > TrackTuning.OPEN_BROKEN).toList());
 	}
 
 	/** The best trail if it runs from a free end to a free end and leaves nothing out. */
 	private static Optional<Candidate> clear(final CandidateSet set) {
 		return set.candidates().stream().findFirst()
-			.filter(c -> c.price().uncovered() <= LEFT_OUT && !c.endsInside()
+			.filter(c -> c.price().uncovered() <= TrackTuning.OPEN_LEFT_OUT && !c.endsInside()
 				&& c.steps().get(0).from().isFreeEnd()
 				&& c.steps().get(c.steps().size() - 1).to().isFreeEnd());
 	}
 
 	private static boolean isOpen(final Candidate c) {
-		return c.price().overlap() <= TWICE && Crossings.of(ContourBuilder.smooth(c)).isEmpty();
+		return c.price().overlap() <= TrackTuning.OPEN_TWICE && Crossings.of(ContourBuilder.smooth(c)).isEmpty();
 	}
 
 	/** For every frame whether it is in a long run of frames in which nothing was seen. */
@@ -130,7 +109,7 @@ record OpenFrames(List<Seen> seen) {
 		int first = 0;
 		for (int t = 0; t <= in.length; t++)
 			if (t == in.length || seen.get(t).isPresent()) {
-				if (t - first >= LONG)
+				if (t - first >= TrackTuning.OPEN_LONG)
 					Arrays.fill(in, first, t, true);
 				first = t + 1;
 			}
@@ -144,7 +123,7 @@ record OpenFrames(List<Seen> seen) {
 		if (contour.size() < 2 || contour.length() < TrackTuning.SPOT * estimate.model().sigma())
 			return Optional.empty();
 		final boolean crossed = !isOpen(best);
-		if (crossed && best.price().overlap() > TWICE_CROSSED * contour.length())
+		if (crossed && best.price().overlap() > TrackTuning.CROSSED_TWICE * contour.length())
 			return Optional.empty();
 		final NormalizedFrame frame = light.get(t);
 		final int links = FilamentEstimator.links(estimate.length());
@@ -156,11 +135,11 @@ record OpenFrames(List<Seen> seen) {
 			? first
 			: new FilamentFitter(frame, estimate.model(), links, Optional.empty(), endsFree)
 				.fit(settled, Optional.empty()).chain();
-		if (Math.abs(chain.length() / contour.length() - 1) > ASTRAY
-			|| FitQuality.of(frame, estimate.model(), chain).dark() > DARK)
+		if (Math.abs(chain.length() / contour.length() - 1) > TrackTuning.OPEN_ASTRAY
+			|| FitQuality.of(frame, estimate.model(), chain).dark() > TrackTuning.OPEN_DARK)
 			return Optional.empty();
 		final Residue left = Residue.of(frame, estimate.model(), chain);
-		if (crossed && left.unexplained() + left.invented() > UNEXPLAINED)
+		if (crossed && left.unexplained() + left.invented() > TrackTuning.CROSSED_UNEXPLAINED)
 			return Optional.empty();
 		return Optional.of(new Seen(t, chain, !FreeEnds.atBorder(frames.get(t), chain.start()),
 			!FreeEnds.atBorder(frames.get(t), chain.tip()), crossed));

@@ -27,24 +27,8 @@ final class Pursuit {
 	/** An end that turns may be so much farther than it seems (pixels). */
 	private static final double[] AHEAD = {0, 1.5, 3};
 
-	/** What slides less than this (pixels) may turn at either end. */
-	private static final double SLOW = 0.5;
-
 	/** Lengths of ends that are grown anew (links). */
 	private static final int[] TIPS = {2, 4, 8};
-
-	/** An end that is grown anew is fitted if it is not dearer by more than this (strands squared). */
-	private static final double PROMISING = 6;
-
-	/** So many of them are fitted. */
-	private static final int FITTED = 6;
-
-	/** At most so many hypotheses are carried on, none that is dearer by more than this. */
-	private static final int MOST = 24;
-	static final double MARGIN = 12;
-
-	/** Hypotheses that are nowhere farther from each other (pixels) are one. */
-	private static final double SAME = 1.5;
 
 	private final SceneLine line;
 	private final FitSettings rigid;
@@ -89,8 +73,8 @@ final class Pursuit {
 		all.sort(Comparator.comparingDouble(Course::sum));
 		final List<Course> kept = new ArrayList<>();
 		for (final Course c : all)
-			if (kept.size() < MOST && c.sum <= all.get(0).sum + MARGIN
-				&& kept.stream().noneMatch(k -> k.chain.farthest(c.chain) < SAME))
+			if (kept.size() < SceneTuning.PURSUIT_MOST && c.sum <= all.get(0).sum + SceneTuning.PURSUIT_MARGIN
+				&& kept.stream().noneMatch(k -> k.chain.farthest(c.chain) < SceneTuning.PURSUIT_SAME))
 				kept.add(c);
 		return kept;
 	}
@@ -148,14 +132,14 @@ final class Pursuit {
 		final List<Fit> promising = new ArrayList<>();
 		for (final double by : AHEAD)
 			for (final int tip : TIPS) {
-				if (speed > -SLOW)
+				if (speed > -SceneTuning.PURSUIT_SLOW)
 					for (final Chain c : window.regrown(expected.slid(by), tip, loose))
 						promising.add(window.price(c, loose));
-				if (speed < SLOW)
+				if (speed < SceneTuning.PURSUIT_SLOW)
 					for (final Chain c : window.regrown(expected.slid(-by).reversed(), tip, loose))
 						promising.add(window.price(c.reversed(), loose));
 			}
-		return promising.stream().filter(f -> f.energy() < usual + PROMISING)
-			.sorted(Comparator.comparingDouble(Fit::energy)).limit(FITTED).map(Fit::chain).toList();
+		return promising.stream().filter(f -> f.energy() < usual + SceneTuning.PURSUIT_PROMISING)
+			.sorted(Comparator.comparingDouble(Fit::energy)).limit(SceneTuning.PURSUIT_FITTED).map(Fit::chain).toList();
 	}
 }

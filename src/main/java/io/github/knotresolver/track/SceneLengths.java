@@ -20,18 +20,6 @@ import io.github.knotresolver.progress.Workers;
  */
 final class SceneLengths {
 
-	/** In so many frames it is looked, and so many must tell. */
-	private static final int LOOKS = 24, FEWEST = 5;
-
-	/** A length is wrong that is off by more than this (pixels, and relative). */
-	private static final double OFF = 0.5, OFF_SHARE = 0.005;
-
-	/** A step of a length (pixels, and standard deviations), with so many lengths on each side. */
-	private static final double STEP = 1.2, CLEARLY = 4;
-	private static final int FEWEST_ASIDE = 4;
-
-	private static final int SWEEPS = 2;
-
 	private final SceneLine line;
 	private final SceneWeights weights;
 
@@ -62,14 +50,14 @@ final class SceneLengths {
 		for (int k = 0; k < before.size(); k++) {
 			final double length = lengths.get(k).length;
 			final double off = Math.abs(length - before.get(k).length());
-			isRight &= off < Math.max(OFF, OFF_SHARE * length);
+			isRight &= off < Math.max(SceneTuning.LENGTH_OFF, SceneTuning.LENGTH_OFF_SHARE * length);
 			chains.add(Chain.inScene(before.get(k).polyline(), length));
 		}
 		if (isRight)
 			return Optional.empty();
 		final Scene scene = new Scene(line.frames().get(pass.start()).light(), line.tables(),
 			chains);
-		for (int sweep = 0; sweep < SWEEPS; sweep++)
+		for (int sweep = 0; sweep < SceneTuning.LENGTH_SWEEPS; sweep++)
 			for (int k = 0; k < scene.size(); k++) {
 				final Chain chain = scene.chain(k);
 				scene.take(k);
@@ -85,7 +73,7 @@ final class SceneLengths {
 	 * @param clear for each filament and frame whether the light around it is explained
 	 */
 	List<Length> of(final ScenePass pass, final boolean[][] clear, final Workers workers) {
-		final int n = pass.chains().size(), stride = 1 + (n - 1) / LOOKS;
+		final int n = pass.chains().size(), stride = 1 + (n - 1) / SceneTuning.LENGTH_LOOKS;
 		final List<double[]> found = workers.map((n + stride - 1) / stride,
 			i -> lengths(pass, i * stride, clear));
 		final List<Length> all = new ArrayList<>();
@@ -93,7 +81,7 @@ final class SceneLengths {
 			final int filament = k;
 			final double[] seen = found.stream().mapToDouble(f -> f[filament])
 				.filter(Double::isFinite).toArray();
-			all.add(seen.length < FEWEST
+			all.add(seen.length < SceneTuning.LENGTH_FEWEST
 				? new Length(pass.chains().get(0).get(k).length(), Double.NaN, false)
 				: length(seen));
 		}
@@ -108,12 +96,12 @@ final class SceneLengths {
 
 	/** Whether lengths in order of time are others from somewhere on. */
 	static boolean changes(final double[] seen) {
-		for (int from = FEWEST_ASIDE; from <= seen.length - FEWEST_ASIDE; from++) {
+		for (int from = SceneTuning.LENGTH_ASIDE; from <= seen.length - SceneTuning.LENGTH_ASIDE; from++) {
 			final double[] before = Arrays.copyOf(seen, from);
 			final double[] after = Arrays.copyOfRange(seen, from, seen.length);
 			final double step = Math
 				.abs(new Median().evaluate(after) - new Median().evaluate(before));
-			if (step > STEP && step > CLEARLY * Math.min(scatter(before), scatter(after)))
+			if (step > SceneTuning.LENGTH_STEP && step > SceneTuning.LENGTH_CLEARLY * Math.min(scatter(before), scatter(after)))
 				return true;
 		}
 		return false;

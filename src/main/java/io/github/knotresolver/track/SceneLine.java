@@ -32,28 +32,13 @@ import io.github.knotresolver.progress.Workers;
  */
 record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 
-	/** The mean over 3 x 3 pixels of a line whose ridge is 1, about. */
-	private static final double MEAN_OF_RIDGE = 0.85;
-
-	/** Of the brightness along all trails, this quantile is one strand's. */
-	private static final double QUANTILE = 0.3;
-
-	private static final double FIRST_SIGMA = 1.5;
-	private static final int LOOK_AT = 20, EXAMPLES = 3, ROUNDS = 2, SWEEPS = 2;
-
-	/** Ends of a curve, in points, at which a junction may shine. */
-	private static final int RIM = 2;
-
-	/** Light of an object reaches so far (pixels). */
-	private static final int NEAR = 3;
-
 	/** The median brightness of a curve, in the frame's units. */
 	static double brightness(final NormalizedFrame light, final Polyline curve) {
-		final int rim = curve.size() > 4 * RIM ? RIM : 0;
+		final int rim = curve.size() > 4 * SceneTuning.LINE_RIM ? SceneTuning.LINE_RIM : 0;
 		final double[] values = IntStream.range(rim, curve.size() - rim)
 			.mapToDouble(i -> light.meanAround(curve.x(i), curve.y(i))).filter(Double::isFinite)
 			.sorted().toArray();
-		return values.length == 0 ? 0 : values[values.length / 2] / MEAN_OF_RIDGE;
+		return values.length == 0 ? 0 : values[values.length / 2] / SceneTuning.MEAN_OF_RIDGE;
 	}
 
 	/**
@@ -82,7 +67,7 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 	}
 
 	private static double firstStrand(final List<FrameView> frames) {
-		final int stride = 1 + (frames.size() - 1) / LOOK_AT;
+		final int stride = 1 + (frames.size() - 1) / SceneTuning.LINE_LOOKS;
 		final double[] values = IntStream.range(0, frames.size()).filter(t -> t % stride == 0)
 			.mapToObj(frames::get)
 			.flatMapToDouble(f -> f.graph().segments().stream()
@@ -91,7 +76,7 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 			.filter(Double::isFinite).sorted().toArray();
 		return values.length == 0
 			? 1
-			: Math.max(1e-9, values[(int) (QUANTILE * (values.length - 1))] / MEAN_OF_RIDGE);
+			: Math.max(1e-9, values[(int) (SceneTuning.STRAND_QUANTILE * (values.length - 1))] / SceneTuning.MEAN_OF_RIDGE);
 	}
 
 	/** A frame and how its trails look. */
@@ -99,7 +84,7 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 	}
 
 	private static List<Seen> look(final List<FrameView> frames) {
-		final int stride = 1 + (frames.size() - 1) / LOOK_AT;
+		final int stride = 1 + (frames.size() - 1) / SceneTuning.LINE_LOOKS;
 		final List<Seen> seen = new ArrayList<>();
 		for (int t = 0; t < frames.size(); t += stride) {
 			final SceneTrails.Found found = SceneSeeder.trails(frames.get(t));
@@ -115,13 +100,13 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		return seen.stream().filter(wanted)
 			.sorted(Comparator.comparingInt((Seen s) -> s.loose + s.crossings)
 				.thenComparing(Comparator.comparingDouble(Seen::length).reversed()))
-			.limit(EXAMPLES).map(Seen::frame).toList();
+			.limit(SceneTuning.LINE_FRAMES).map(Seen::frame).toList();
 	}
 
 	private static Estimate learn(final List<FrameView> frames, final LineModel.Kind kind,
 		final Progress progress) {
-		Estimate line = new Estimate(LineModel.uniform(kind, FIRST_SIGMA, 1), 1, 0, 1, 1);
-		for (int round = 0; round < ROUNDS; round++) {
+		Estimate line = new Estimate(LineModel.uniform(kind, SceneTuning.FIRST_SIGMA, 1), 1, 0, 1, 1);
+		for (int round = 0; round < SceneTuning.LINE_ROUNDS; round++) {
 			final List<Example> examples = examples(frames, line);
 			if (examples.isEmpty())
 				return line;
@@ -142,7 +127,7 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 			final Scene scene = new Scene(
 				frame.light().rescaled(line.background(), line.amplitude()), tables,
 				SceneSeeder.starts(frame));
-			new JointFit(scene, SceneWeights.DEFAULT).sweep(SWEEPS);
+			new JointFit(scene, SceneWeights.DEFAULT).sweep(SceneTuning.LINE_SWEEPS);
 			final List<Chain> chains = scene.chains();
 			if (!chains.isEmpty())
 				examples.add(new Example(frame.light(), chains));
@@ -185,10 +170,10 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		final int height = set.length / width;
 		for (int i = 0; i < set.length; i++)
 			if (set[i])
-				for (int y = Math.max(0, i / width - NEAR); y <= Math.min(height - 1,
-					i / width + NEAR); y++)
-					for (int x = Math.max(0, i % width - NEAR); x <= Math.min(width - 1,
-						i % width + NEAR); x++)
+				for (int y = Math.max(0, i / width - SceneTuning.LINE_NEAR); y <= Math.min(height - 1,
+					i / width + SceneTuning.LINE_NEAR); y++)
+					for (int x = Math.max(0, i % width - SceneTuning.LINE_NEAR); x <= Math.min(width - 1,
+						i % width + SceneTuning.LINE_NEAR); x++)
 						near[y * width + x] = true;
 		return near;
 	}

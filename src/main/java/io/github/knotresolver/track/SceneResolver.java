@@ -24,18 +24,6 @@ import io.github.knotresolver.track.SceneSettler.Settled;
  */
 public final class SceneResolver {
 
-	/** At most so many passes are tried, and of those so many are settled. */
-	private static final int MOST_PASSES = 5, SETTLED = 3;
-
-	/** A pass that leaves less than this (strands squared a frame and filament) is right. */
-	private static final double CLEAR = 0.08;
-
-	/** Less than this share of what a pass leaves unexplained is visibly less. */
-	private static final double VISIBLY = 0.8;
-
-	/** Confidence of a filament whose length changes: which of its frames are right, is open. */
-	private static final double DOUBT = 0.5;
-
 	private final Set<LineModel.Kind> kinds;
 	private final Workers workers;
 	private final Progress progress;
@@ -126,7 +114,7 @@ public final class SceneResolver {
 		}
 
 		boolean isClear() {
-			return unexplained() < CLEAR * pass.filaments();
+			return unexplained() < SceneTuning.CLEAR_PASS * pass.filaments();
 		}
 	}
 
@@ -140,8 +128,8 @@ public final class SceneResolver {
 		final List<SceneSeed> used = new ArrayList<>();
 		final ScenePool pool = new ScenePool(line);
 		Optional<SceneSeed> seed = first.stream().findFirst();
-		while (seed.isPresent() && used.size() < MOST_PASSES) {
-			progress.report("Following the filaments", (double) passes.size() / MOST_PASSES);
+		while (seed.isPresent() && used.size() < SceneTuning.MOST_PASSES) {
+			progress.report("Following the filaments", (double) passes.size() / SceneTuning.MOST_PASSES);
 			used.add(seed.get());
 			if (!seed.get().chains().isEmpty()) {
 				final ScenePass pass = ScenePass.from(seed.get().frame(), seed.get().chains(), line,
@@ -193,7 +181,7 @@ public final class SceneResolver {
 	}
 
 	private static double[] inDoubt(final double[] gap) {
-		final double most = SceneConfidence.gapOf(DOUBT);
+		final double most = SceneConfidence.gapOf(SceneTuning.LENGTH_DOUBT);
 		return Arrays.stream(gap).map(g -> Math.min(g, most)).toArray();
 	}
 
@@ -201,14 +189,14 @@ public final class SceneResolver {
 	private List<Settled> settled(final SceneLine line, final SceneWeights weights,
 		final List<Priced> passes) {
 		final Priced best = passes.get(0);
-		final List<ScenePass> some = passes.stream().limit(best.isClear() ? 1 : SETTLED)
+		final List<ScenePass> some = passes.stream().limit(best.isClear() ? 1 : SceneTuning.SETTLED_PASSES)
 			.map(Priced::pass).toList();
 		final SceneSettler settler = new SceneSettler(line, weights, some);
 		final List<Settled> settled = settler.settle(progress);
 		if (some.size() == 1)
 			return settled;
 		final ScenePass together = ScenePass.of(settled);
-		return together.price(line) - together.priceOfFilaments() <= VISIBLY * best.unexplained()
+		return together.price(line) - together.priceOfFilaments() <= SceneTuning.VISIBLY_LESS * best.unexplained()
 			? settled
 			: settler.first(settled);
 	}

@@ -17,26 +17,6 @@ import io.github.knotresolver.progress.Workers;
 /** The frames from which the filaments of a movie are followed. */
 final class SceneSeeds {
 
-	/** About so many frames are looked at, each with its two neighbours. */
-	private static final int LOOKS = 12;
-
-	private static final int SPACING = 5;
-
-	/** So many frames are looked at again with what is known. */
-	private static final int AGAIN = 5;
-
-	/** Where this share of the light is known, there is nothing to look for. */
-	private static final double ALL = 0.98;
-
-	/** A seed that is worth less than this share of the best is none. */
-	private static final double WORTH = 0.7;
-
-	/** One of fewer filaments, if this share: pieces of a filament last as long as it does. */
-	private static final double FEWER = 0.4;
-
-	/** A seed that is worth this much needs no help from what is known. */
-	private static final double SOUND = 0.9;
-
 	private final SceneLine line;
 	private final SceneWeights weights;
 
@@ -48,7 +28,7 @@ final class SceneSeeds {
 	/** All seeds, the best first. */
 	List<SceneSeed> all(final Workers workers, final Progress progress) {
 		final int n = line.frames().size();
-		final int stride = Math.max(3, n / LOOKS);
+		final int stride = Math.max(3, n / SceneTuning.SEED_LOOKS);
 		final List<Integer> middles = new ArrayList<>();
 		for (int t = Math.min(1, n - 1); t < Math.max(1, n - 1); t += stride)
 			middles.add(t);
@@ -103,14 +83,14 @@ final class SceneSeeds {
 	Optional<SceneSeed> next(final List<SceneSeed> first, final List<SceneSeed> used,
 		final ScenePool pool, final Workers workers, final Progress progress) {
 		final double best = first.get(0).worth();
-		if (used.size() == 1 && used.get(0).worth() >= SOUND) {
+		if (used.size() == 1 && used.get(0).worth() >= SceneTuning.SEED_SOUND) {
 			final int pieces = used.get(0).chains().size();
 			final Optional<SceneSeed> fewer = first.stream()
-				.filter(s -> s.chains().size() < pieces && s.worth() >= FEWER * best).findFirst();
+				.filter(s -> s.chains().size() < pieces && s.worth() >= SceneTuning.SEED_FEWER * best).findFirst();
 			if (fewer.isPresent())
 				return fewer;
 		}
-		final double enough = pool.isEmpty() ? WORTH * best : Math.max(SOUND, WORTH * best);
+		final double enough = pool.isEmpty() ? SceneTuning.SEED_WORTH * best : Math.max(SceneTuning.SEED_SOUND, SceneTuning.SEED_WORTH * best);
 		final Optional<SceneSeed> another = first.stream().filter(s -> s.worth() >= enough)
 			.filter(s -> isAnother(s, used)).findFirst();
 		if (pool.isEmpty() || another.isPresent())
@@ -119,15 +99,15 @@ final class SceneSeeds {
 		for (final SceneSeed seed : first)
 			if (used.stream().noneMatch(u -> u.frame() == seed.frame()))
 				covered.put(seed.frame(), pool.coverage(seed.frame()));
-		final List<Integer> frames = covered.entrySet().stream().filter(e -> e.getValue() < ALL)
-			.sorted(Map.Entry.<Integer, Double>comparingByValue().reversed()).limit(AGAIN)
+		final List<Integer> frames = covered.entrySet().stream().filter(e -> e.getValue() < SceneTuning.SEED_ALL)
+			.sorted(Map.Entry.<Integer, Double>comparingByValue().reversed()).limit(SceneTuning.SEED_AGAIN)
 			.map(Map.Entry::getKey).toList();
 		return at(frames, pool, workers, progress).stream().findFirst();
 	}
 
 	private boolean isAnother(final SceneSeed seed, final List<SceneSeed> used) {
 		return used.stream()
-			.allMatch(u -> Math.abs(u.frame() - seed.frame()) > line.frames().size() / SPACING)
+			.allMatch(u -> Math.abs(u.frame() - seed.frame()) > line.frames().size() / SceneTuning.SEED_SPACING)
 			|| used.stream().allMatch(u -> u.chains().size() != seed.chains().size());
 	}
 }

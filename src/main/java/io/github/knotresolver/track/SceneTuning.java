@@ -434,6 +434,261 @@ final class SceneTuning {
 	 */
 	static final double LEFT_END = 9;
 
+	/**
+	 * [frames] In about so many frames lengths are measured. Why: their median is then known to a
+	 * fifth of one's error.
+	 */
+	static final int LENGTH_LOOKS = 24;
+
+	/** [frames] ... and so many must tell. Why: a median of five is not misled by two. */
+	static final int LENGTH_FEWEST = 5;
+
+	/**
+	 * [px] A length that is farther off is wrong. Why: an end is known to less, over so many
+	 * frames.
+	 */
+	static final double LENGTH_OFF = 0.5;
+
+	/**
+	 * [share] ... for a long filament, by more than this. Why: fits of open frames agree to that.
+	 */
+	static final double LENGTH_OFF_SHARE = 0.005;
+
+	/** [px] A length steps by at least this. Why: less is the error of an end. */
+	static final double LENGTH_STEP = 1.2;
+
+	/** [standard deviations] ... and by so many of its scatter. Why: noise does not in a movie. */
+	static final double LENGTH_CLEARLY = 4;
+
+	/** [frames] ... with so many lengths on each side. Why: one or two may be wrong. */
+	static final int LENGTH_ASIDE = 4;
+
+	/**
+	 * [sweeps] So often chains are fitted when a length is measured. Why: they were fitted before,
+	 * and hardly move after the second.
+	 */
+	static final int LENGTH_SWEEPS = 2;
+
+	/**
+	 * [share] The mean over 3 x 3 pixels of a line whose ridge is 1, about. Why: that of a Gaussian
+	 * of 1.5 px.
+	 */
+	static final double MEAN_OF_RIDGE = 0.85;
+
+	/**
+	 * [share] Of the brightness along all trails, this quantile is one strand's. Why: crossings and
+	 * bundles are brighter, ends dimmer.
+	 */
+	static final double STRAND_QUANTILE = 0.3;
+
+	/**
+	 * [px] The line's width that estimating begins with. Why: half-way between what cameras give;
+	 * two rounds later it is forgotten.
+	 */
+	static final double FIRST_SIGMA = 1.5;
+
+	/** [frames] About so many frames are looked at for open ones. Why: three of them are wanted. */
+	static final int LINE_LOOKS = 20;
+
+	/**
+	 * [frames] So many frames are enough to learn the line. Why: each has hundreds of pixels along
+	 * its filaments.
+	 */
+	static final int LINE_FRAMES = 3;
+
+	/**
+	 * [rounds] How often line and curves are estimated in turns. Why: the line hardly changes after
+	 * the second.
+	 */
+	static final int LINE_ROUNDS = 2;
+
+	/**
+	 * [sweeps] So often the curves are fitted in a round. Why: they hardly move after the second.
+	 */
+	static final int LINE_SWEEPS = 2;
+
+	/**
+	 * [points] So many points at the ends of a curve say nothing of its brightness. Why: a junction
+	 * shines there.
+	 */
+	static final int LINE_RIM = 2;
+
+	/** [px] Light of an object reaches so far. Why: two widths of a usual line. */
+	static final int LINE_NEAR = 3;
+
+	/**
+	 * [passes] At most so many are tried. Why: each takes as long as the movie; later seeds are
+	 * worse.
+	 */
+	static final int MOST_PASSES = 5;
+
+	/** [passes] ... and of those so many are settled together. Why: three outvote one. */
+	static final int SETTLED_PASSES = 3;
+
+	/**
+	 * [strands²] A pass that leaves less, a frame and filament, is right. Why: the model of the
+	 * line leaves half of that.
+	 */
+	static final double CLEAR_PASS = 0.08;
+
+	/**
+	 * [share] Less than this part of what a pass leaves unexplained is visibly less. Why: a
+	 * filament too many explains some noise.
+	 */
+	static final double VISIBLY_LESS = 0.8;
+
+	/**
+	 * [probability] Confidence of a filament whose length changes. Why: which of its frames are
+	 * right is open.
+	 */
+	static final double LENGTH_DOUBT = 0.5;
+
+	/**
+	 * [frames] About so many frames are looked at for seeds, each with its two neighbours. Why:
+	 * some of twelve are open in most movies.
+	 */
+	static final int SEED_LOOKS = 12;
+
+	/**
+	 * [parts] Seeds are at least one of so many parts of the movie apart. Why: neighbouring ones
+	 * have the same faults.
+	 */
+	static final int SEED_SPACING = 5;
+
+	/**
+	 * [frames] So many frames are looked at again with what is known. Why: each takes as long as
+	 * the first look.
+	 */
+	static final int SEED_AGAIN = 5;
+
+	/**
+	 * [share] Where so much of the light is known, there is nothing to look for. Why: noise and
+	 * halos are the rest.
+	 */
+	static final double SEED_ALL = 0.98;
+
+	/**
+	 * [share] A seed that is worth less than this part of the best is not followed. Why: where a
+	 * third of the light has no chain, a filament is missing.
+	 */
+	static final double SEED_WORTH = 0.7;
+
+	/**
+	 * [share] Once, one of fewer filaments is followed if it is worth this part of the best. Why:
+	 * pieces of a filament last as long as it does, so that what explains less may be right.
+	 */
+	static final double SEED_FEWER = 0.4;
+
+	/**
+	 * [worth] A seed that is worth this much needs no help from what is known. Why: nine tenths of
+	 * the light are explained by chains that the frames beside it have, too.
+	 */
+	static final double SEED_SOUND = 0.9;
+
+	/**
+	 * [px] Exchanged, both filaments must be as long as they are within this. Why: ends are known
+	 * to a pixel or two each.
+	 */
+	static final double EXCHANGE_LENGTH = 4;
+
+	/**
+	 * [strands²] What an exchange may cost before it is fitted. Why: a fit gains no more than that.
+	 */
+	static final double EXCHANGE_HOPELESS = 60;
+
+	/**
+	 * [px] An end stays where two filaments exchange their other ends. Why: fits of an end scatter
+	 * by less.
+	 */
+	static final double END_STAYS = 5;
+
+	/**
+	 * [frames] In fewer frames an exchange is not looked at. Why: a single frame does not show an
+	 * exchange.
+	 */
+	static final int EXCHANGE_FEWEST = 2;
+
+	/**
+	 * [iterations] ... and one of several hypotheses so many. Why: the best of them is fitted
+	 * again.
+	 */
+	static final int SOME_ITERATIONS = 8;
+
+	/**
+	 * [share] A fit of several hypotheses ends when its energy falls by less. Why: between a first
+	 * and a last fit.
+	 */
+	static final double SCENE_FAIR = 1e-3;
+
+	/**
+	 * [frames] A filament is followed again from where it is clear in so many frames on end. Why:
+	 * fewer may be a chance of crossing filaments.
+	 */
+	static final int AGAIN_CLEAR = 10;
+
+	/**
+	 * [frames] Where it becomes unclear it may have been wrong so many frames before. Why: a wrong
+	 * course at a crossing explains the light for some frames.
+	 */
+	static final int AGAIN_BACK = 4;
+
+	/** [px] Its links are so long. Why: it can turn around within a line's width. */
+	static final double AGAIN_LINK = 1.5;
+
+	/** [share] One filament alone is seen in so many of the frames. Why: debris spoils some. */
+	static final double LONE_MOST = 0.75;
+
+	/** [frames] ... and in so many. Why: fewer do not show that an end stays. */
+	static final int LONE_FEWEST = 8;
+
+	/**
+	 * [px] Its held end is usually this near to its place. Why: seeds end within two pixels, and
+	 * fields drift.
+	 */
+	static final double LONE_USUALLY = 8;
+
+	/** [px] ... and in most frames so near. Why: some seeds end early. */
+	static final double LONE_MOSTLY = 16;
+
+	/**
+	 * [px] Its other end is in places that are so far apart. Why: an end that is held as well moves
+	 * by less.
+	 */
+	static final double LONE_FAR = 32;
+
+	/**
+	 * [px] What slides less from frame to frame may turn at either end. Why: errors of a fit are as
+	 * large.
+	 */
+	static final double PURSUIT_SLOW = 0.5;
+
+	/**
+	 * [strands²] An end that is grown anew is fitted if it is not dearer by more than this. Why: a
+	 * fit gains about as much.
+	 */
+	static final double PURSUIT_PROMISING = 6;
+
+	/**
+	 * [ends] So many of them are fitted. Why: at a crossing there are three ways to go, each with a
+	 * bend or without.
+	 */
+	static final int PURSUIT_FITTED = 6;
+
+	/** [hypotheses] At most so many are carried on. Why: each costs as much as a frame. */
+	static final int PURSUIT_MOST = 24;
+
+	/**
+	 * [strands²] ... none that is dearer by more than this. Why: the light of several frames does
+	 * not make up for it.
+	 */
+	static final double PURSUIT_MARGIN = 12;
+
+	/**
+	 * [px] Hypotheses that are nowhere farther from each other are one. Why: less than a line's
+	 * width.
+	 */
+	static final double PURSUIT_SAME = 1.5;
+
 	private SceneTuning() {
 	}
 }

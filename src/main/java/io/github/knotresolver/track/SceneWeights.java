@@ -16,9 +16,6 @@ record SceneWeights(double stiffness) {
 	/** For filaments that turn around within a few widths, as actin does. */
 	static final SceneWeights SUPPLE = new SceneWeights(0.7);
 
-	private static final int SOME_ITERATIONS = 8;
-	private static final double FAIR = 1e-3;
-
 	/** @return both ends and the length free, as in a frame of which nothing is known */
 	FitSettings free() {
 		return new FitSettings(stiffness, 0, 0, SceneTuning.FREE_ITERATIONS, SceneTuning.SCENE_TOLERANCE, true);
@@ -41,6 +38,6 @@ record SceneWeights(double stiffness) {
 
 	/** @return the same for one of many that are tried: not fitted to the end */
 	FitSettings searched() {
-		return new FitSettings(stiffness, 0, SceneTuning.LOOSE, SOME_ITERATIONS, FAIR, false);
+		return new FitSettings(stiffness, 0, SceneTuning.LOOSE, SceneTuning.SOME_ITERATIONS, SceneTuning.SCENE_FAIR, false);
 	}
 }

@@ -22,18 +22,6 @@ import io.github.knotresolver.track.SceneSettler.Settled;
  */
 final class TailExchanges {
 
-	/** Exchanged, both filaments must be as long as they are within this (pixels). */
-	private static final double LENGTH = 4;
-
-	/** What an exchange may cost (strands squared) before it is fitted. */
-	private static final double HOPELESS = 60;
-
-	/** An end that stays (pixels) where two filaments exchange their other ends. */
-	private static final double STAYS = 5;
-
-	/** In fewer frames an exchange is not looked at. */
-	private static final int FEWEST = 2;
-
 	private final SceneLine line;
 	private final SceneWeights weights;
 	private final Progress progress;
@@ -73,14 +61,14 @@ final class TailExchanges {
 			others.add(other);
 			possible += other.isEmpty() ? 0 : 1;
 		}
-		if (possible >= FEWEST)
+		if (possible >= SceneTuning.EXCHANGE_FEWEST)
 			decide(filaments, i, j, others);
 	}
 
 	private boolean mayTouch(final List<Settled> filaments, final int i, final int j, final int t) {
 		final Chain a = filaments.get(i).chains().get(t), b = filaments.get(j).chains().get(t);
 		return a.start().distanceTo(b.start()) < a.length() + b.length()
-			&& !TailSwap.exchanged(a, b, LENGTH).isEmpty();
+			&& !TailSwap.exchanged(a, b, SceneTuning.EXCHANGE_LENGTH).isEmpty();
 	}
 
 	/** The best exchanges in a frame that show: of the tails, and of the heads. */
@@ -95,14 +83,14 @@ final class TailExchanges {
 		scene.take(j);
 		final double before = price(scene, j, a, b);
 		TailSwap.Pair tails = null, heads = null;
-		for (final TailSwap.Pair p : TailSwap.exchanged(a, b, LENGTH)) {
+		for (final TailSwap.Pair p : TailSwap.exchanged(a, b, SceneTuning.EXCHANGE_LENGTH)) {
 			if (!shows(p.a(), a) || !shows(p.b(), b))
 				continue;
 			final double energy = price(scene, j, p.a(), p.b());
-			final boolean keepsHeads = p.a().start().distanceTo(a.start()) < STAYS
-				&& p.b().start().distanceTo(b.start()) < STAYS;
+			final boolean keepsHeads = p.a().start().distanceTo(a.start()) < SceneTuning.END_STAYS
+				&& p.b().start().distanceTo(b.start()) < SceneTuning.END_STAYS;
 			final TailSwap.Pair best = keepsHeads ? tails : heads;
-			if (energy >= (best == null ? before + HOPELESS : best.energy()))
+			if (energy >= (best == null ? before + SceneTuning.EXCHANGE_HOPELESS : best.energy()))
 				continue;
 			final TailSwap.Pair better = new TailSwap.Pair(p.a(), p.b(), energy);
 			if (keepsHeads)

@@ -540,6 +540,113 @@ final class TrackTuning {
 	 */
 	static final double FOCUS_CHANGE = 1.3;
 
+	/**
+	 * [share] What is seen clearly for so many of the frames tells which end comes first. Why: less
+	 * may be a pause.
+	 */
+	static final double ENDS_ENOUGH = 0.25;
+
+	/** [frames] ... and for so many. Why: a beat takes as long. */
+	static final int ENDS_FEWEST = 10;
+
+	/**
+	 * [frames] So many frames in a row that are not clear do not interrupt what is seen. Why: a
+	 * crossing takes one or two.
+	 */
+	static final int ENDS_GAP = 2;
+
+	/**
+	 * [px] An end that stays this near to its place, at the median, does not go far. Why: a clamp
+	 * on a drifting stage does so.
+	 */
+	static final double ROAMS = 8;
+
+	/**
+	 * [share] A clamped end moves by less than this part of what the other end moves. Why: ends of
+	 * a free one move by about as much.
+	 */
+	static final double HELD_SHARE = 0.4;
+
+	/**
+	 * [px] ... and by less than this from frame to frame. Why: fits of an end agree to a third of
+	 * that.
+	 */
+	static final double HELD_STILL = 0.7;
+
+	/**
+	 * [px] A clamped end stays this near to its place, at the median. Why: skeletons end within two
+	 * pixels, and fields drift.
+	 */
+	static final double HELD_PLACE = 4;
+
+	/**
+	 * [share] ... or, if all drifts, nearer than this part of what the other end does. Why: the
+	 * other end beats beside the drift.
+	 */
+	static final double HELD_PLACE_SHARE = 0.5;
+
+	/**
+	 * [px] Motion is looked at over so many frames that a filament slides this far. Why: nearer,
+	 * noise across the track is as large.
+	 */
+	static final double GLIDES_FAR = 5;
+
+	/**
+	 * [share] What glides comes off its track by less than this part of what it slides. Why: one
+	 * that is carried aside does so by all of it.
+	 */
+	static final double OFF_TRACK = 0.15;
+
+	/**
+	 * [ratio] Both ends move alike if neither moves so much less and more smoothly. Why: noise
+	 * makes five percent.
+	 */
+	static final double ENDS_ALIKE = 0.95;
+
+	/**
+	 * [px] So much skeleton may be left out by the trail of an open frame. Why: a spur is as long.
+	 */
+	static final double OPEN_LEFT_OUT = 6;
+
+	/** [px] ... and so much walked twice. Why: skeletons meet in a pixel. */
+	static final double OPEN_TWICE = 1;
+
+	/**
+	 * [share] Of a crossed trail so much of its length may be walked twice. Why: strands that lie
+	 * on each other for longer hide the length.
+	 */
+	static final double CROSSED_TWICE = 0.25;
+
+	/**
+	 * [share] ... if no more line than this part of its length is seen but not drawn, or drawn but
+	 * not seen. Why: whichever way it goes at a crossing, its length is then right.
+	 */
+	static final double CROSSED_UNEXPLAINED = 0.03;
+
+	/**
+	 * [share] A fit whose length differs more from its trail's has gone astray. Why: skeletons are
+	 * right to some percent.
+	 */
+	static final double OPEN_ASTRAY = 0.5;
+
+	/**
+	 * [frames] Without an open frame in so many, crossed ones are taken. Why: lengths between open
+	 * ones are interpolated over less.
+	 */
+	static final int OPEN_LONG = 8;
+
+	/**
+	 * [share] A crossed frame says something new if its length differs so much: a break. Why:
+	 * errors of crossed frames are smaller.
+	 */
+	static final double OPEN_BROKEN = 0.2;
+
+	/**
+	 * [share] A fit that runs in the dark for a larger part is none. Why: half of what cannot be
+	 * trusted.
+	 */
+	static final double OPEN_DARK = 0.15;
+
 	private TrackTuning() {
 	}
 }
