@@ -51,6 +51,11 @@ final class ReviewWords {
 		return changed ? "Corrections are not saved yet." : " ";
 	}
 
+	/** After its confidence nobody need be told that a frame is doubtful. */
+	private static String because(final String reason) {
+		return reason.isEmpty() ? "" : "   because: " + reason.replaceFirst("^Doubtful: ", "");
+	}
+
 	/** The frame in one line. */
 	static String frame(final ReviewModel model) {
 		return model.shown().map(o -> {
@@ -59,7 +64,7 @@ final class ReviewWords {
 				: String.format(Locale.ROOT, "   confidence %.2f", o.confidence());
 			return "frame " + o.frame() + "   " + o.status().label() + sure
 				+ (model.isChecked(o.frame()) ? "   checked" : "")
-				+ (o.reason().isEmpty() ? "" : "   because: " + o.reason());
+				+ because(o.reason());
 		}).orElse("frame " + model.frame());
 	}
 }

@@ -42,6 +42,7 @@ final class TourMain {
 	/** The sample with so much noise (grey values) has frames that are in doubt. */
 	private static final double NOISE = 34;
 	private static final int SEED = 5;
+	private static final String CLOSE_LOG = "\\Close";
 	private static final double FILM_SCALE = 0.5;
 
 	private final File folder;
@@ -60,7 +61,7 @@ final class TourMain {
 
 	public static void main(final String[] args) throws Exception {
 		final ImageJ imagej = new ImageJ();
-		imagej.setLocation(900, 10);
+		imagej.setLocation(10, 1080);
 		try {
 			new TourMain(new File(args[0]), Path.of(args[1])).walk();
 			System.out.println("All as expected.");
@@ -92,6 +93,7 @@ final class TourMain {
 		Windows.start("Review Result...");
 		Windows.press(Windows.dialog("Review Result...", "Result"), "OK");
 		window = Windows.frame("Review noisy-result");
+		IJ.log(CLOSE_LOG);
 		window.setLocation(10, image.getWindow().getHeight() + 20);
 		Windows.await("ready",
 			() -> find("headline") instanceof JLabel l && l.getText().contains("resolved"));
@@ -156,6 +158,7 @@ final class TourMain {
 		Windows.start("Measure Contours...");
 		Windows.press(Windows.dialog("Measure Contours..."), "OK");
 		window = Windows.frame("Measurements of clear.tif");
+		IJ.log(CLOSE_LOG);
 		window.setLocation(image.getWindow().getWidth() + 20, 60);
 		window.toFront();
 		final JTabbedPane tabs = (JTabbedPane) find("tabs 1");
@@ -180,7 +183,10 @@ final class TourMain {
 		Windows.type(dialog, "Out", out.toString());
 		Windows.press(dialog, "OK");
 		window = Windows.frame("Batch batch");
-		hand.delay(500);
+		IJ.log(CLOSE_LOG);
+		Windows.onEvents(window::toFront);
+		// Small pictures are read in the background.
+		hand.delay(3000);
 		capture("batch.png", window.getBounds());
 	}
 
