@@ -30,6 +30,7 @@ final class OutcomesTable extends JTable {
 
 	/** Of a font 16 px high. */
 	private static final int[] WIDTHS = {150, 70, 75, 75, 75, 50, 75, 80, 85, 300};
+	private static final int MESSAGE = BatchTable.COLUMNS.size() - 1;
 	private static final int FONT = 16, GAP = 4, PICTURE_LINES = 3;
 	/** Sharp also where a pixel of the window is two of the screen. */
 	private static final int SHARP = 2;
@@ -46,6 +47,7 @@ final class OutcomesTable extends JTable {
 		setAutoCreateRowSorter(true);
 		setAutoResizeMode(AUTO_RESIZE_LAST_COLUMN);
 		setDefaultRenderer(BufferedImage.class, new Picture());
+		getColumnModel().getColumn(MESSAGE).setCellRenderer(new Message());
 		final int line = line();
 		for (int c = 0; c < WIDTHS.length; c++)
 			getColumnModel().getColumn(c).setPreferredWidth(WIDTHS[c] * line / FONT);
@@ -121,6 +123,26 @@ final class OutcomesTable extends JTable {
 				return pictures.get(row);
 			final Object cell = outcomes.cell(row, column);
 			return BatchTable.isNumber(column) && cell.equals("") ? null : cell;
+		}
+	}
+
+	/** Words in as many lines as the row has room for; all of them if the mouse rests there. */
+	private static final class Message extends DefaultTableCellRenderer {
+
+		private static final long serialVersionUID = 1L;
+
+		Message() {
+			setVerticalAlignment(TOP);
+		}
+
+		@Override
+		public Component getTableCellRendererComponent(final JTable table, final Object value,
+			final boolean selected, final boolean focused, final int row, final int column) {
+			final String words = "<html>" + value.toString().replace("&", "&amp;")
+				.replace("<", "&lt;").replace(">", "&gt;");
+			setToolTipText(words);
+			return super.getTableCellRendererComponent(table, words, selected, focused, row,
+				column);
 		}
 	}
 

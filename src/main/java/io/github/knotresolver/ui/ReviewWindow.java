@@ -216,11 +216,14 @@ public final class ReviewWindow {
 			Math.max(wanted.height, window.getHeight()));
 	}
 
+	/** Once the key's letter has arrived, which would be the name of the folder otherwise. */
 	private void save() {
-		if (saving.get() == 0 && hasFolder()) {
-			saving.set(1);
-			SavedResult.inBackground(result, this::say, () -> saving.set(0));
-		}
+		SwingUtilities.invokeLater(() -> {
+			if (!gone && saving.get() == 0 && hasFolder()) {
+				saving.set(1);
+				SavedResult.inBackground(result, this::say, () -> saving.set(0));
+			}
+		});
 	}
 
 	private boolean hasFolder() {

@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 
 import javax.swing.JFileChooser;
 import javax.swing.SwingUtilities;
+import javax.swing.filechooser.FileFilter;
 
 import io.github.knotresolver.io.Failure;
 import io.github.knotresolver.model.UserException;
@@ -46,7 +47,10 @@ final class SavedResult {
 	static boolean chooseFolder(final ReviewedResult result, final Component parent) {
 		final JFileChooser chooser = new JFileChooser();
 		chooser.setDialogTitle("A new folder for the result");
-		chooser.setFileSelectionMode(JFileChooser.DIRECTORIES_ONLY);
+		// Where only folders can be chosen, Swing does not show the name of a new one.
+		chooser.setFileSelectionMode(JFileChooser.FILES_AND_DIRECTORIES);
+		chooser.setAcceptAllFileFilterUsed(false);
+		chooser.setFileFilter(new Folders());
 		chooser
 			.setSelectedFile(result.file()
 				.map(f -> f
@@ -81,6 +85,20 @@ final class SavedResult {
 			return "Nothing was saved.";
 		} catch (final IOException | RuntimeException | Error e) {
 			return Failure.of(e, "give Java more memory").sentence();
+		}
+	}
+
+	/** Files are not shown. */
+	private static final class Folders extends FileFilter {
+
+		@Override
+		public boolean accept(final File file) {
+			return file.isDirectory();
+		}
+
+		@Override
+		public String getDescription() {
+			return "Folders";
 		}
 	}
 }

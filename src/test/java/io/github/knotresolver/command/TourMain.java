@@ -175,7 +175,9 @@ final class TourMain {
 
 	private void batch() throws Exception {
 		Files.writeString(home.resolve("sheet.csv"),
-			"FileName,FolderPath,requiresManual\nclear.tif,.,False\nnoisy.tif,.,True\nabsent.tif,.,False\n");
+			"FileName,FolderPath,requiresManual\nclear.tif,.,False\nnoisy.tif,.,True\nstill.tif,.,False\n");
+		new FileSaver(new ImagePlus("still.tif", SampleMovie.open().getProcessor()))
+			.saveAsTiff(home.resolve("still.tif").toString());
 		final Path out = home.resolve("batch");
 		Windows.start("Batch...");
 		final var dialog = Windows.dialog("Batch...", "Input");

@@ -99,6 +99,16 @@ class BatchWindowTest {
 	}
 
 	@Test
+	void aLongMessageIsWrappedAndToldInFull() throws Exception {
+		final OutcomesTable shown = new OutcomesTable(new BatchTable(out,
+			List.of(BatchOutcome.failed(row("drawn").row(), "<No> file & no frames."))));
+		final int last = BatchTable.COLUMNS.size() - 1;
+		final JLabel cell = (JLabel) shown.prepareRenderer(shown.getCellRenderer(0, last), 0, last);
+		assertEquals("<html>&lt;No&gt; file &amp; no frames.", cell.getToolTipText());
+		assertEquals(cell.getText(), cell.getToolTipText());
+	}
+
+	@Test
 	void theReportOpensInTheBrowserAndAMissingOneIsSaid() throws Exception {
 		final Path page = Files.writeString(out.resolve(BatchList.PAGE), "a page");
 		final List<Path> opened = new ArrayList<>();
