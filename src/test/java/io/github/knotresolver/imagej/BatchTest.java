@@ -137,10 +137,10 @@ class BatchTest {
 	void memoryIsToldFromTheFile() throws IOException {
 		final long small = MovieMemory.of(home.resolve("m0.tif")),
 			large = MovieMemory.of(home.resolve("m1.tif"));
-		assertEquals(large - small, 67L * TestImages.WIDTH * TestImages.HEIGHT);
+		assertEquals(large - small, 16L * TestImages.WIDTH * TestImages.HEIGHT);
 		final Path folder = Files.createDirectory(home.resolve("frames"));
 		Files.write(folder.resolve("1.png"), new byte[1000]);
-		assertEquals(67L * 8000, MovieMemory.of(folder) - MovieMemory.of(home.resolve("absent")));
+		assertEquals(16L * 8000, MovieMemory.of(folder) - MovieMemory.of(home.resolve("absent")));
 		assertThrows(UserException.class,
 			() -> new Batch(Engine.PIPELINE, Map.of(), false, false, Optional.of(0)));
 	}
