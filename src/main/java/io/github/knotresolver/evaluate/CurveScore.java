@@ -31,6 +31,9 @@ public record CurveScore(int truePositives, int falsePositives, int falseNegativ
 	public static final CurveScore MISSING = new CurveScore(0, 0, 0, Double.POSITIVE_INFINITY,
 		Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, -100);
 
+	/** A point this near to the other side counts as found, in pixels. */
+	public static final double TOLERANCE = 2;
+
 	private static final double COARSE = 1, FINE = 0.1;
 
 	/**
@@ -47,8 +50,8 @@ public record CurveScore(int truePositives, int falsePositives, int falseNegativ
 				"Contours to compare must be longer than 0 pixels, but are " + truth.length()
 					+ " and " + result.length() + ".");
 		final Polyline t = truth.resampled(COARSE), r = result.resampled(COARSE);
-		final int found = DiceIndex.found(NearestDistances.of(r, t));
-		final int covered = DiceIndex.found(NearestDistances.of(t, r));
+		final int found = found(NearestDistances.of(r, t));
+		final int covered = found(NearestDistances.of(t, r));
 		return new CurveScore(found, r.size() - found, t.size() - covered,
 			DiscreteFrechet.distance(t, r), DiscreteFrechet.distance(t, r.reversed()),
 			mean(positionErrors(truth, result)),
@@ -69,9 +72,30 @@ public record CurveScore(int truePositives, int falsePositives, int falseNegativ
 		return NearestDistances.of(result.resampled(COARSE), truth.resampled(FINE));
 	}
 
-	/** @return the {@link DiceIndex}, 0..1; 0 if there is no result */
+	/** @return the {@link #diceIndex Dice index}, 0..1; 0 if there is no result */
 	public double dice() {
-		return DiceIndex.of(truePositives, falsePositives, falseNegatives);
+		return diceIndex(truePositives, falsePositives, falseNegatives);
+	}
+
+	/**
+	 * The Sørensen-Dice index of points, as the published evaluation defines it: a
+	 * point within 2 px of the other side's counts as found (Dice 1945,
+	 * doi:10.2307/1932409).
+	 *
+	 * @param truePositives points of the result near the truth
+	 * @param falsePositives other points of the result
+	 * @param falseNegatives points of the truth with no point of the result near
+	 * @return 2 TP / (2 TP + FP + FN), 0..1; 0 if there are no points at all
+	 */
+	public static double diceIndex(final int truePositives, final int falsePositives,
+		final int falseNegatives) {
+		final int all = 2 * truePositives + falsePositives + falseNegatives;
+		return all == 0 ? 0 : 2.0 * truePositives / all;
+	}
+
+	/** @return how many of these distances are within the tolerance */
+	static int found(final double[] distances) {
+		return (int) Arrays.stream(distances).filter(d -> d <= TOLERANCE).count();
 	}
 
 	/** @return whether the Frechet distance is below 5 px */

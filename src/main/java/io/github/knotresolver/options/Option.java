@@ -32,7 +32,6 @@ public final class Option {
 	private final String key;
 	private final Kind kind;
 	private Section section;
-	private Level level = Level.ADVANCED;
 	private String values = "";
 	private List<String> choices = List.of();
 	private String label;
@@ -66,11 +65,6 @@ public final class Option {
 	/** @return what it is about */
 	public Section section() {
 		return section;
-	}
-
-	/** @return who meets it */
-	public Level level() {
-		return level;
 	}
 
 	/** @return what stands for its value in a help text, such as {@code X,Y}; empty for a flag */
@@ -118,15 +112,8 @@ public final class Option {
 		return writer.apply(chosen);
 	}
 
-	Option basic(final Section about) {
+	Option about(final Section about) {
 		section = about;
-		level = Level.BASIC;
-		return this;
-	}
-
-	Option advanced(final Section about) {
-		section = about;
-		level = Level.ADVANCED;
 		return this;
 	}
 

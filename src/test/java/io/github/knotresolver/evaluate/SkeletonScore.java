@@ -6,7 +6,7 @@ import io.github.knotresolver.geometry.Polyline;
  * How near the pixels of a skeleton are to the true contour, whatever their
  * order: so the published evaluation judges segmentation.
  *
- * @param dice the {@link DiceIndex} against a point every pixel of the truth,
+ * @param dice the {@link CurveScore#diceIndex Dice index} against a point every pixel of the truth,
  *          0..1; 0 if there is no skeleton
  * @param errors distance of every pixel to the true curve, in pixels
  */
@@ -24,9 +24,9 @@ public record SkeletonScore(double dice, double[] errors) {
 	 */
 	public static SkeletonScore of(final Polyline truth, final double[] x, final double[] y) {
 		final Polyline t = truth.resampled(COARSE), fine = truth.resampled(FINE);
-		final int found = DiceIndex.found(NearestDistances.of(x, y, t.xs(), t.ys()));
-		final int covered = DiceIndex.found(NearestDistances.of(t.xs(), t.ys(), x, y));
-		return new SkeletonScore(DiceIndex.of(found, x.length - found, t.size() - covered),
+		final int found = CurveScore.found(NearestDistances.of(x, y, t.xs(), t.ys()));
+		final int covered = CurveScore.found(NearestDistances.of(t.xs(), t.ys(), x, y));
+		return new SkeletonScore(CurveScore.diceIndex(found, x.length - found, t.size() - covered),
 			NearestDistances.of(x, y, fine.xs(), fine.ys()));
 	}
 }
