@@ -180,6 +180,15 @@ final class TrackTuning {
 	static final double SPECK = 15;
 
 	/**
+	 * [share] A contour may be turned round that moved, turned round, by less than this part. Why: a
+	 * filament that is held, or glides, moves far less than from one of its ends to the other.
+	 */
+	static final double TURN = 0.5;
+
+	/** [probability] That contours which may be turned round are right, at most. Why: it is even. */
+	static final double TURNED = 0.5;
+
+	/**
 	 * [line widths] A contour of which no more is in the picture is not given. Why: it cannot be told
 	 * from a spot, and its course not at all.
 	 */
