@@ -38,7 +38,7 @@ class TurnedRoundTest {
 		frames.set(2, Observation.without(3, FrameStatus.LOST, "Nothing."));
 		final List<Observation> doubted = TurnedRound.doubted(frames);
 		for (int t = 0; t < FRAMES; t++)
-			assertEquals(t == 2 ? 0 : t < 6 ? 0.5 : 0.99, doubted.get(t).confidence(),
+			assertEquals(t == 2 ? Double.NaN : t < 6 ? 0.5 : 0.99, doubted.get(t).confidence(),
 				"frame " + t);
 	}
 
