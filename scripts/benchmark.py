@@ -340,6 +340,7 @@ def run(args, folder):
     unknown = [s for s in suites if s not in SUITES]
     if unknown:
         sys.exit(f"There is no suite '{unknown[0]}'; the suites are {', '.join(SUITES)}.")
+    (folder / "movies").mkdir(parents=True, exist_ok=True)
     movies = rendered(args, folder / "movies") if "single" in suites else {}
     conditions = fields.render_conditions(folder / "movies", args.only) if "conditions" in suites else []
     scenes = fields.render_scenes(folder / "movies", args.bench, args.only) if "scenes" in suites else {}

@@ -85,7 +85,7 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 			for (int k = 0; k < usual.length; k++) {
 				final double haste = haste(chains.get(k), t) / usual[k];
 				final SceneConfidence confidence = new SceneConfidence(settled.get(k).gap()[t],
-					left.worst(here.get(k)), SceneConfidence.dark(frame.light(), here.get(k)),
+					left.worstBeside(here.get(k), here), SceneConfidence.dark(frame.light(), here.get(k)),
 					haste, elsewhere[k]);
 				observed.get(k).add(observation(frame, here.get(k), confidence));
 			}

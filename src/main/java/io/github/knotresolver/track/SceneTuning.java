@@ -14,6 +14,12 @@ final class SceneTuning {
 	static final double TOUCH = 5;
 
 	/**
+	 * [px] Light that is not explained around one filament makes others doubtful that run so near.
+	 * Why: what two that touch have exchanged lies up to twice as far apart.
+	 */
+	static final double BESIDE = 10;
+
+	/**
 	 * [px] Two passes agree in a frame if their curves are this near on average. Why: less than a
 	 * line's width; fits of one filament agree to a tenth.
 	 */

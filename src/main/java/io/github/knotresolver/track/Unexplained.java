@@ -1,6 +1,8 @@
 
 package io.github.knotresolver.track;
 
+import java.util.List;
+
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.fit.Scene;
@@ -67,6 +69,34 @@ final class Unexplained {
 			worst = Math.max(worst, aroundNode(curve.x(i), curve.y(i)));
 		}
 		return worst;
+	}
+
+	/**
+	 * The largest sum around any node of a chain, or of other chains where they run beside it: two
+	 * that have exchanged a part leave light around one of them only.
+	 *
+	 * @param chain one of the scene
+	 * @param all the scene's chains
+	 */
+	double worstBeside(final Chain chain, final List<Chain> all) {
+		double worst = worst(chain);
+		final Polyline curve = chain.polyline();
+		for (final Chain other : all) {
+			final Polyline beside = other.polyline();
+			for (int i = 0; i < beside.size() && other != chain; i++)
+				if (isBeside(curve, beside.x(i), beside.y(i))) {
+					stamps++;
+					worst = Math.max(worst, aroundNode(beside.x(i), beside.y(i)));
+				}
+		}
+		return worst;
+	}
+
+	private static boolean isBeside(final Polyline curve, final double x, final double y) {
+		for (int i = 0; i < curve.size(); i++)
+			if (Math.hypot(curve.x(i) - x, curve.y(i) - y) < SceneTuning.BESIDE)
+				return true;
+		return false;
 	}
 
 	private double aroundNode(final double x, final double y) {
