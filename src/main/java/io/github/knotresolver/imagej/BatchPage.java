@@ -111,11 +111,12 @@ final class BatchPage {
 
 	private void result(final String name) throws IOException {
 		final Path folder = out.resolve(name);
-		final Optional<BufferedImage> montage = SmallPicture.read(folder.resolve(MONTAGE), THUMBNAIL);
+		final Optional<BufferedImage> montage = SmallPicture.read(folder.resolve(MONTAGE),
+			THUMBNAIL);
 		if (montage.isPresent())
-			html.write(
-				"<a href=\"" + link(name, MONTAGE) + "\"><img class=\"montage\" alt=\"Montage of "
-					+ text(name) + "\" src=\"" + EmbeddedPicture.nearly(montage.get()) + "\" /></a>\n");
+			html.write("<a href=\"" + link(name, MONTAGE)
+				+ "\"><img class=\"montage\" alt=\"Montage of " + text(name) + "\" src=\""
+				+ EmbeddedPicture.nearly(montage.get()) + "\" /></a>\n");
 		final Optional<ResultDigest> digest = ResultDigest.read(folder).filter(d -> d.frames() > 0);
 		if (digest.isPresent())
 			tables(digest.get());

@@ -60,7 +60,8 @@ final class GivenContours {
 			return found;
 		final Observation bent = bent(found, words);
 		return words.stream().anyMatch(c -> bent.contour().filter(c::refuses).isPresent())
-			? unresolved(found, "The user refused the only course that was found; draw the contour.")
+			? unresolved(found,
+				"The user refused the only course that was found; draw the contour.")
 			: bent;
 	}
 

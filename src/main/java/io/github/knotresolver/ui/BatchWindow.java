@@ -131,8 +131,7 @@ public final class BatchWindow {
 		one.addActionListener(e -> reviewSelected());
 		final JButton all = button("Review in turn",
 			"One after the other: when a review is closed, the next one opens");
-		all.setText(
-			model.isAnyByHand() ? "Review those asked for by hand" : "Review all doubtful");
+		all.setText(model.isAnyByHand() ? "Review those asked for by hand" : "Review all doubtful");
 		all.setEnabled(model.next(-1).isPresent());
 		all.addActionListener(e -> {
 			inTurn = true;

@@ -138,8 +138,8 @@ final class OutcomesTable extends JTable {
 		@Override
 		public Component getTableCellRendererComponent(final JTable table, final Object value,
 			final boolean selected, final boolean focused, final int row, final int column) {
-			final String words = "<html>" + value.toString().replace("&", "&amp;")
-				.replace("<", "&lt;").replace(">", "&gt;");
+			final String words = "<html>"
+				+ value.toString().replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
 			setToolTipText(words);
 			return super.getTableCellRendererComponent(table, words, selected, focused, row,
 				column);

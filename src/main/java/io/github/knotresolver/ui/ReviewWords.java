@@ -63,8 +63,7 @@ final class ReviewWords {
 				? ""
 				: String.format(Locale.ROOT, "   confidence %.2f", o.confidence());
 			return "frame " + o.frame() + "   " + o.status().label() + sure
-				+ (model.isChecked(o.frame()) ? "   checked" : "")
-				+ because(o.reason());
+				+ (model.isChecked(o.frame()) ? "   checked" : "") + because(o.reason());
 		}).orElse("frame " + model.frame());
 	}
 }

@@ -82,8 +82,8 @@ public final class ReviewedResult implements AutoCloseable {
 		final List<Constraint> before = EarlierCorrections.of(absolute);
 		return new ReviewedResult(identity.given(), source,
 			FinishedTracks.read(absolute, movie, options.settings(movie, before))
-				.map(t -> ReviewModel.finished(t, solver))
-				.orElseGet(() -> new ReviewModel(movie, solver, before)),
+				.map(t -> ReviewModel.finished(t, solver)).orElseGet(
+					() -> new ReviewModel(movie, solver, before)),
 			Optional.of(absolute), () -> {
 			});
 	}

@@ -124,8 +124,8 @@ final class ScreenshotsMain {
 		Windows.await("mask", () -> image.getOverlay() != null);
 		Windows.onEvents(
 			() -> ((JSpinner) Windows.find(window, "threshold")).setValue(TUNED_THRESHOLD));
-		Windows.await("words",
-			() -> Windows.text(window).contains("frame " + KNOTTED + ": ") && image.getOverlay() != null);
+		Windows.await("words", () -> Windows.text(window).contains("frame " + KNOTTED + ": ")
+			&& image.getOverlay() != null);
 		front(window);
 		// The strip fills from the present frame outwards.
 		Thread.sleep(STRIP_MILLIS);

@@ -84,8 +84,8 @@ class BatchWindowTest {
 
 	/** How many pixels of a row's cell have the picture's colour. */
 	private static int coloured(final OutcomesTable table, final int row) {
-		final Component cell = table
-			.prepareRenderer(table.getCellRenderer(row, BatchTable.PICTURE), row, BatchTable.PICTURE);
+		final Component cell = table.prepareRenderer(table.getCellRenderer(row, BatchTable.PICTURE),
+			row, BatchTable.PICTURE);
 		cell.setSize(new Dimension(85, table.getRowHeight()));
 		final BufferedImage seen = new BufferedImage(85, table.getRowHeight(),
 			BufferedImage.TYPE_INT_RGB);

@@ -79,7 +79,8 @@ class PreviewBoxTest {
 		final Path movie = TestImages.save(SampleMovie.open(), home.resolve("movie.tif"));
 		changed(Map.of("movie", movie.toString()));
 		final String first = said(w -> w.startsWith("frame 1: 1 filament, "));
-		assertTrue(first.matches("frame 1: 1 filament, width 3\\.\\d px, bright on dark, .*"), first);
+		assertTrue(first.matches("frame 1: 1 filament, width 3\\.\\d px, bright on dark, .*"),
+			first);
 		changed(Map.of("movie", movie.toString(), "threshold", "nonsense"));
 		changed(Map.of("movie", movie.toString(), "polarity", "dark"));
 		assertTrue(said(w -> w.contains("Polarity: dark lines")).contains("Polarity: dark lines"));

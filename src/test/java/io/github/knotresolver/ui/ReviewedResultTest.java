@@ -176,8 +176,9 @@ class ReviewedResultTest {
 			assertEquals(said,
 				assertThrows(UserException.class, () -> review.save(Progress.NONE)).getMessage());
 			assertFalse(Files.exists(fresh));
-			assertEquals(said, assertThrows(UserException.class,
-				() -> ReviewedResult.of(live, image)).getMessage());
+			assertEquals(said,
+				assertThrows(UserException.class, () -> ReviewedResult.of(live, image))
+					.getMessage());
 			pixels.set(7, 9, before);
 			review.model().refuse();
 			review.model().atRest();

@@ -87,7 +87,9 @@ class ReviewSceneTest {
 			CorrectionsCsv.write(file, model.said());
 			assertEquals(model.said(), CorrectionsCsv.read(file));
 			assertEquals(said.filaments(),
-				new Session(drawn.movie(), SETTINGS.edit().threads(1).constraints(CorrectionsCsv.read(file)).build()).solve(List.of(), Progress.NONE).filaments());
+				new Session(drawn.movie(),
+					SETTINGS.edit().threads(1).constraints(CorrectionsCsv.read(file)).build())
+					.solve(List.of(), Progress.NONE).filaments());
 			assertNotEquals(before.filaments(), said.filaments());
 		}
 	}
@@ -113,8 +115,7 @@ class ReviewSceneTest {
 			new Constraint(1, 3, Kind.TIP, Polyline.of(List.of(far))));
 		final Tracks told = session.solve(said, Progress.NONE);
 		final Polyline bent = contour(told, 2, 2);
-		assertEquals(FrameStatus.CORRECTED,
-			told.filaments().get(1).frames().get(1).status());
+		assertEquals(FrameStatus.CORRECTED, told.filaments().get(1).frames().get(1).status());
 		assertTrue(bent.distanceTo(a) < 0.3 && bent.distanceTo(b) < 0.3, "through");
 		assertTrue(bent.last().distanceTo(end) < 0.3, "tip");
 		assertTrue(bent.first().distanceTo(shown.first()) < 1, "What is far stays");
@@ -122,7 +123,9 @@ class ReviewSceneTest {
 		assertEquals(contour(before, 1, 2), contour(told, 1, 2));
 		assertEquals(contour(before, 2, 3), contour(told, 2, 3));
 		final List<Constraint> mixed = List.of(said.get(2), said.get(1), said.get(0));
-		assertEquals(told.filaments(), new Session(drawn.movie(), SETTINGS.edit().threads(1).constraints(mixed).build()).solve(List.of(), Progress.NONE).filaments());
+		assertEquals(told.filaments(),
+			new Session(drawn.movie(), SETTINGS.edit().threads(1).constraints(mixed).build())
+				.solve(List.of(), Progress.NONE).filaments());
 		// Of one place more than a curve can be near at once, nothing is made up.
 		final Polyline apart = Polyline.of(List.of(beside(shown, 20, 3), beside(shown, 20, -3),
 			beside(shown, 20.5, 3.5), beside(shown, 20.5, -3.5)));
@@ -134,8 +137,7 @@ class ReviewSceneTest {
 	}
 
 	private static Polyline contour(final Tracks tracks, final int filament, final int frame) {
-		return tracks.filaments().get(filament - 1).frames().get(frame - 1).contour()
-			.orElseThrow();
+		return tracks.filaments().get(filament - 1).frames().get(frame - 1).contour().orElseThrow();
 	}
 
 	/** A place so far to the side of a contour. */
