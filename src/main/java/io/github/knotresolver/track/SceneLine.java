@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
-import java.util.function.Predicate;
 import java.util.stream.IntStream;
 
 import io.github.knotresolver.candidate.SceneTrails;
@@ -55,8 +54,11 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		final List<FrameView> scaled = Calming.of(frames, strand, workers).stream()
 			.map(f -> f.scaled(strand)).toList();
 		final List<Seen> seen = look(scaled);
-		final List<FrameView> open = best(seen, s -> true);
-		final List<FrameView> crossed = best(seen, s -> s.crossings > 0);
+		final List<FrameView> open = best(seen, Comparator.comparingInt(s -> s.loose + s.crossings));
+		final List<FrameView> crossed = best(
+			seen.stream().filter(s -> s.crossings > 0).toList(),
+			Comparator.comparingInt(Seen::loose)
+				.thenComparing(Comparator.comparingInt(Seen::crossings).reversed()));
 		final Estimate line = kinds.stream().map(k -> learn(open, k, progress))
 			.min(Comparator.comparingDouble(l -> doubt(l, open, crossed))).orElseThrow();
 		final List<FrameView> known = scaled.stream()
@@ -95,11 +97,10 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		return seen;
 	}
 
-	/** The frames whose trails are clearest, of those that are wanted. */
-	private static List<FrameView> best(final List<Seen> seen, final Predicate<Seen> wanted) {
-		return seen.stream().filter(wanted)
-			.sorted(Comparator.comparingInt((Seen s) -> s.loose + s.crossings)
-				.thenComparing(Comparator.comparingDouble(Seen::length).reversed()))
+	/** The first frames in an order, of equal ones those with more to see. */
+	private static List<FrameView> best(final List<Seen> seen, final Comparator<Seen> order) {
+		return seen.stream()
+			.sorted(order.thenComparing(Comparator.comparingDouble(Seen::length).reversed()))
 			.limit(SceneTuning.LINE_FRAMES).map(Seen::frame).toList();
 	}
 
