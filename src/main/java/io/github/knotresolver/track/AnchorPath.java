@@ -10,6 +10,8 @@ import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitSettings;
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.RobustLine;
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.graph.GraphTuning;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.track.EndPaths.End;
@@ -115,7 +117,23 @@ record AnchorPath(List<Point> places, double[] weights) {
 	private boolean moves(final List<Seen> seen) {
 		if (seen.size() < TrackTuning.SETTLING)
 			return moves(places, TrackTuning.STILL_SKELETON);
-		return moves(seen.stream().map(s -> s.chain().start()).toList(), TrackTuning.STILL_END);
+		return moves(seen.stream().map(s -> s.chain().start()).toList(), TrackTuning.STILL_END)
+			|| drifts(seen);
+	}
+
+	/** Whether the end goes one way, by far more than it strays from that. */
+	private static boolean drifts(final List<Seen> seen) {
+		final double[] at = seen.stream().mapToDouble(Seen::index).toArray();
+		final RobustLine x = RobustLine.through(at,
+			seen.stream().mapToDouble(s -> s.chain().start().x()).toArray()),
+			y = RobustLine.through(at,
+				seen.stream().mapToDouble(s -> s.chain().start().y()).toArray());
+		final double way = Math.hypot(x.slope(), y.slope()) * (at[at.length - 1] - at[0]);
+		final double stray = RobustStatistics.median(seen.stream()
+			.mapToDouble(
+				s -> s.chain().start().distanceTo(new Point(x.at(s.index()), y.at(s.index()))))
+			.toArray());
+		return way > Math.max(TrackTuning.STILL_END, TrackTuning.STEADY * stray);
 	}
 
 	/** Whether places, in order of time, are more than a few wrong ones around one place. */

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
+import io.github.knotresolver.geometry.RobustLine;
 import io.github.knotresolver.geometry.RobustStatistics;
 
 /**
@@ -195,12 +196,12 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 
 		private LengthCourse broken(final int first, final boolean steady) {
 			final int at = (seen[first - 1] + seen[first] + 1) / 2;
-			final double[] before = steady
+			final RobustLine before = steady
 				? line(0, first)
-				: new double[]{median(Arrays.copyOfRange(known, 0, first)), 0};
-			final double[] after = steady
+				: new RobustLine(median(Arrays.copyOfRange(known, 0, first)), 0);
+			final RobustLine after = steady
 				? line(first, known.length)
-				: new double[]{median(Arrays.copyOfRange(known, first, known.length)), 0};
+				: new RobustLine(median(Arrays.copyOfRange(known, first, known.length)), 0);
 			final double[] lengths = new double[frames], others = new double[frames];
 			fill(lengths, 0, at, before);
 			fill(lengths, at, frames, after);
@@ -221,26 +222,18 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 			return unbroken(RandomWalk.through(all, errors).mean(), Kind.WANDERING);
 		}
 
-		/** Value at frame 0 and slope, by medians (Theil and Sen). */
-		private double[] line(final int from, final int to) {
-			final int n = to - from;
-			final double[] slopes = new double[n * (n - 1) / 2];
-			int count = 0;
-			for (int i = from; i < to; i++)
-				for (int j = i + 1; j < to; j++)
-					slopes[count++] = (known[j] - known[i]) / (seen[j] - seen[i]);
-			final double slope = count == 0 ? 0 : median(slopes);
-			return new double[]{median(
-				IntStream.range(from, to).mapToDouble(i -> known[i] - slope * seen[i]).toArray()),
-				slope};
+		private RobustLine line(final int from, final int to) {
+			return RobustLine.through(
+				IntStream.range(from, to).mapToDouble(i -> seen[i]).toArray(),
+				Arrays.copyOfRange(known, from, to));
 		}
 
 		/** Lengths never fall below a tenth of the least that was seen. */
 		private double[] fill(final double[] lengths, final int from, final int to,
-			final double[] line) {
+			final RobustLine line) {
 			final double least = 0.1 * Arrays.stream(known).min().orElse(1);
 			for (int t = from; t < to; t++)
-				lengths[t] = Math.max(least, line[0] + line[1] * t);
+				lengths[t] = Math.max(least, line.at(t));
 			return lengths;
 		}
 

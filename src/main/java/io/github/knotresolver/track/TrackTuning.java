@@ -136,6 +136,12 @@ final class TrackTuning {
 	static final double STILL_END = 1;
 
 	/**
+	 * [1] An end drifts that goes so many times farther than it strays from its way. Why: between places
+	 * that are rounded to pixels it strays as far as it goes; a stage that drifts goes straight.
+	 */
+	static final double STEADY = 4;
+
+	/**
 	 * [px] ... as skeletons see it, within this. Why: they end a pixel or two earlier or later.
 	 */
 	static final double STILL_SKELETON = 3;
