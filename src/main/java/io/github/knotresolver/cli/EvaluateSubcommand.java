@@ -137,8 +137,9 @@ final class EvaluateSubcommand implements Callable<Integer> {
 	}
 
 	private LikeStudy study() throws IOException {
-		return Usage.of(spec, () -> new LikeStudy(
-			LikeRun.source(like, movie, ImageSource::of, progress), engine, progress));
+		return Usage.of(spec,
+			() -> new LikeStudy(LikeRun.source(like, movie, ImageSource::of, progress), engine,
+				progress));
 	}
 
 	private LikeResult scores(final LikeStudy study, final int count) {

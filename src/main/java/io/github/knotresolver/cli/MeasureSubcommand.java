@@ -82,8 +82,7 @@ final class MeasureSubcommand implements Callable<Integer> {
 		final List<String> notes;
 		try (ResultFolder folder = Usage.of(spec, () -> ResultFolder.reserve(target,
 			ResultKind.MEASUREMENT, force, List.of(input, input.resolve(ContoursCsv.FILE))))) {
-			all = Usage.of(spec,
-				() -> options().measure(ContourInput.readAll(input), progress));
+			all = Usage.of(spec, () -> options().measure(ContourInput.readAll(input), progress));
 			notes = MeasurementFolder.write(all, folder, plots, originalDefinitions, progress);
 		}
 		MeasurementFolder.report(all).forEach(spec.commandLine().getOut()::println);

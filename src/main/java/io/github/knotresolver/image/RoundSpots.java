@@ -134,16 +134,12 @@ public final class RoundSpots {
 			.orElse(Double.POSITIVE_INFINITY);
 		if (nearest > ImageTuning.SPOT_BESIDE)
 			return ImageTuning.SPOT_BRIGHT;
-		return nearest > ImageTuning.SPOT_SAME
-			? ImageTuning.SPOT_HIDDEN
-			: ImageTuning.SPOT_LEFT;
+		return nearest > ImageTuning.SPOT_SAME ? ImageTuning.SPOT_HIDDEN : ImageTuning.SPOT_LEFT;
 	}
 
 	private void takeOff(final Point spot, final List<Point> beads) {
-		final SpotProfile profile = SpotProfile.of(rest, width, spot, sigma)
-			.withoutLines(beads);
-		if (profile.height() < least(spot) * strand
-			|| profile.rim() > HAZE * profile.height())
+		final SpotProfile profile = SpotProfile.of(rest, width, spot, sigma).withoutLines(beads);
+		if (profile.height() < least(spot) * strand || profile.rim() > HAZE * profile.height())
 			return;
 		taken.add(spot);
 		final int reach = (int) Math.ceil(profile.reach()), height = rest.length / width;
@@ -152,8 +148,7 @@ public final class RoundSpots {
 			for (int x = Math.max(0, cx - reach); x <= Math.min(width - 1, cx + reach); x++) {
 				final int at = y * width + x;
 				final double distance = Math.hypot(x - spot.x(), y - spot.y());
-				final float share = (float) Math.max(0,
-					Math.min(rest[at], profile.at(distance)));
+				final float share = (float) Math.max(0, Math.min(rest[at], profile.at(distance)));
 				rest[at] -= share;
 				light[at] += share;
 			}

@@ -72,8 +72,7 @@ final class SpotProfile {
 		for (int k = 0; k < spot.profile.length; k++) {
 			final double radius = k * STEP;
 			final int directions = Math.max(8, (int) Math.ceil(4 * Math.PI * radius));
-			least = Math.max(0,
-				Math.min(least, inMost(spot.ring(radius, directions))));
+			least = Math.max(0, Math.min(least, inMost(spot.ring(radius, directions))));
 			spot.profile[k] = least;
 		}
 		return spot;
@@ -96,7 +95,9 @@ final class SpotProfile {
 
 	private static double inMost(final double[] ring) {
 		final double[] inside = Arrays.stream(ring).filter(Double::isFinite).sorted().toArray();
-		return inside.length == 0 ? 0 : inside[(int) (ImageTuning.SPOT_ALONE * (inside.length - 1))];
+		return inside.length == 0
+			? 0
+			: inside[(int) (ImageTuning.SPOT_ALONE * (inside.length - 1))];
 	}
 
 	/**

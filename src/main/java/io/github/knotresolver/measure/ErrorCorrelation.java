@@ -79,7 +79,8 @@ record ErrorCorrelation(boolean gaussian, double range) {
 		double least = kind == Kind.FITTED
 			? Double.POSITIVE_INFINITY
 			: mismatch(seen, NONE, response);
-		for (double range = kind.shortest; range <= MeasureTuning.LONGEST_RANGE * filter.points(); range *= MeasureTuning.RANGE_STEP)
+		for (double range = kind.shortest; range <= MeasureTuning.LONGEST_RANGE
+			* filter.points(); range *= MeasureTuning.RANGE_STEP)
 			for (final boolean gaussian : kind.shapes) {
 				Cancellation.check();
 				final ErrorCorrelation trial = new ErrorCorrelation(gaussian, range);

@@ -25,9 +25,11 @@ final class FieldSpectrum {
 	Optional<Double> peak() {
 		final double interval = field.interval();
 		// One grid for all places, from the duration of the whole movie.
-		final FrequencyGrid grid = FrequencyGrid.over(field.frames(), MeasureTuning.FIELD_OVERSAMPLING, interval);
+		final FrequencyGrid grid = FrequencyGrid.over(field.frames(),
+			MeasureTuning.FIELD_OVERSAMPLING, interval);
 		final double[] power = new double[grid.size()];
-		for (int j = 0; j < field.columns(); j += Math.max(1, field.columns() / MeasureTuning.FIELD_PLACES)) {
+		for (int j = 0; j < field.columns(); j += Math.max(1,
+			field.columns() / MeasureTuning.FIELD_PLACES)) {
 			final double[] values = field.series(j);
 			if (!isReached(values, leastFrames))
 				continue;
@@ -42,8 +44,8 @@ final class FieldSpectrum {
 				best = k;
 		return power[best] < 1e-20
 			? Optional.empty()
-			: Optional.of(grid.frequency(best)
-				+ summit(power, best) / (MeasureTuning.FIELD_OVERSAMPLING * field.frames() * interval));
+			: Optional.of(grid.frequency(best) + summit(power, best)
+				/ (MeasureTuning.FIELD_OVERSAMPLING * field.frames() * interval));
 	}
 
 	/** Where a parabola through the peak and its neighbours is highest. */

@@ -49,7 +49,8 @@ public record Gliding(double path, double speed, int steps) {
 
 	/** How far a curve has slid along itself, in pixels. */
 	private static double slide(final Polyline before, final Polyline after) {
-		final Polyline a = before.divided(MeasureTuning.GLIDING_POINTS), b = after.divided(MeasureTuning.GLIDING_POINTS);
+		final Polyline a = before.divided(MeasureTuning.GLIDING_POINTS),
+			b = after.divided(MeasureTuning.GLIDING_POINTS);
 		double sum = 0;
 		for (int i = 0; i < MeasureTuning.GLIDING_POINTS; i++) {
 			final double ux = b.x(i + 1) - b.x(i), uy = b.y(i + 1) - b.y(i);

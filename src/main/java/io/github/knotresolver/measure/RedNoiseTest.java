@@ -26,8 +26,8 @@ final class RedNoiseTest {
 	/** @param series a series without trend */
 	RedNoiseTest(final TimeSeries series) {
 		this.series = series;
-		this.fits = SineFits.tapered(series,
-			FrequencyGrid.over(series.frames(), MeasureTuning.NOISE_OVERSAMPLING, series.interval()));
+		this.fits = SineFits.tapered(series, FrequencyGrid.over(series.frames(),
+			MeasureTuning.NOISE_OVERSAMPLING, series.interval()));
 	}
 
 	/** @return the part of simulations that stand out as much, never quite 0 */
@@ -38,8 +38,8 @@ final class RedNoiseTest {
 		final TimeSeries[] noise = new TimeSeries[MeasureTuning.SIMULATIONS];
 		Arrays.setAll(noise, i -> simulated(rho, random));
 		final long asHigh = Workers.present()
-			.map(MeasureTuning.SIMULATIONS, i -> prominence(noise[i].detrended()) >= observed).stream()
-			.filter(higher -> higher).count();
+			.map(MeasureTuning.SIMULATIONS, i -> prominence(noise[i].detrended()) >= observed)
+			.stream().filter(higher -> higher).count();
 		return (asHigh + 1) / (MeasureTuning.SIMULATIONS + 1.0);
 	}
 

@@ -75,7 +75,8 @@ public record Smoothing(double window, int order) {
 	private static List<Polyline> sample(final Collection<Polyline> contoursPx) {
 		final List<Polyline> all = contoursPx.stream().filter(ContourGeometry::isMeasurable)
 			.toList();
-		final int stride = (all.size() + MeasureTuning.WINDOW_CONTOURS - 1) / MeasureTuning.WINDOW_CONTOURS;
+		final int stride = (all.size() + MeasureTuning.WINDOW_CONTOURS - 1)
+			/ MeasureTuning.WINDOW_CONTOURS;
 		return IntStream.range(0, all.size() / stride).mapToObj(i -> all.get(i * stride)).toList();
 	}
 

@@ -32,7 +32,8 @@ public record TravellingWave(double frequency, double speed, double speedError, 
 	 * @return its wave; empty if too few frames or places move
 	 */
 	public static Optional<TravellingWave> of(final Kymograph field) {
-		final Optional<Double> frequency = new FieldSpectrum(field, MeasureTuning.LEAST_FRAMES).peak();
+		final Optional<Double> frequency = new FieldSpectrum(field, MeasureTuning.LEAST_FRAMES)
+			.peak();
 		return frequency.flatMap(f -> at(field, f));
 	}
 

@@ -49,8 +49,7 @@ public final class ResolveOptions {
 				? c.settings().segmentation().threshold().getAsDouble()
 				: "otsu"),
 
-		option("iterations", Kind.WHOLE).about(Section.MASK).takes("N")
-			.label("Iterations (steps)")
+		option("iterations", Kind.WHOLE).about(Section.MASK).takes("N").label("Iterations (steps)")
 			.help("Steps of the active contour that moves the mask's outline").byDefault("10")
 			.range("0 to 1000")
 			.reads((d,
@@ -66,9 +65,8 @@ public final class ResolveOptions {
 					.withContractionBias(OptionText.number("contraction_bias", t)))
 			.writes(c -> c.settings().segmentation().contractionBias()),
 
-		option("smooth_factor", Kind.NUMBER).about(Section.MASK).takes("S")
-			.label("Smooth factor").help("How smooth the mask's outline becomes").byDefault("0.2")
-			.range("0 to 10")
+		option("smooth_factor", Kind.NUMBER).about(Section.MASK).takes("S").label("Smooth factor")
+			.help("How smooth the mask's outline becomes").byDefault("0.2").range("0 to 10")
 			.reads((d,
 				t) -> d.segmentation = d.segmentation
 					.withSmoothFactor(OptionText.number("smooth_factor", t)))
@@ -199,9 +197,9 @@ public final class ResolveOptions {
 			.writes(c -> c.calibration().hasTimeUnit() ? c.calibration().frameInterval() : null),
 
 		// Not written: the result does not depend on it.
-		option("threads", Kind.WHOLE).about(Section.RUN).takes("N")
-			.label("Threads (0: all cores)").help("Threads; the result does not depend on them")
-			.byDefault("all cores").range("1 or more")
+		option("threads", Kind.WHOLE).about(Section.RUN).takes("N").label("Threads (0: all cores)")
+			.help("Threads; the result does not depend on them").byDefault("all cores")
+			.range("1 or more")
 			.reads((d, t) -> d.settings.threads(OptionText.wholeNumber("threads", t, 1))));
 
 	/** The keys of all options, in the same order. */

@@ -106,8 +106,7 @@ public record PaperResolver(CandidateGenerator generator) implements Resolver {
 		final double confidence = second > 0 && Double.isFinite(second)
 			? 1 - cost / second
 			: Double.isFinite(second) ? 0 : 1;
-		return new Observation(frame.frame(), FrameStatus.RESOLVED,
-			set.limitReason(), Optional.of(best), frame.junctions(),
-			set.candidates().size(), cost, confidence);
+		return new Observation(frame.frame(), FrameStatus.RESOLVED, set.limitReason(),
+			Optional.of(best), frame.junctions(), set.candidates().size(), cost, confidence);
 	}
 }

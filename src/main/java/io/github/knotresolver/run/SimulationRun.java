@@ -73,8 +73,8 @@ public record SimulationRun(SimulationParameters parameters, Rendering rendering
 	 * @param folder the reserved folder; committed here
 	 * @throws IOException if a file cannot be written
 	 */
-	public void write(final SimulatedMovie movie, final MovieSink sink,
-		final ResultFolder folder) throws IOException {
+	public void write(final SimulatedMovie movie, final MovieSink sink, final ResultFolder folder)
+		throws IOException {
 		sink.write(movie.movie(), folder.path().resolve(MOVIE));
 		TruthCsv.write(folder.path().resolve(ContoursCsv.FILE), movie.truth());
 		ParametersJson.write(folder.path().resolve(ParametersJson.FILE), parameters,

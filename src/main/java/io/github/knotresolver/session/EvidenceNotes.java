@@ -94,7 +94,7 @@ final class EvidenceNotes {
 			.map(s -> ConnectedComponents.of(s).objects())
 			.orElseGet(() -> ConnectedComponents.of(frame.mask()).objects()).stream()
 			.mapToInt(MaskObject::pixels).sorted().toArray();
-		return (int) Arrays.stream(lengths).filter(n -> n > SessionTuning.OBJECT * lengths[lengths.length - 1])
-			.count();
+		return (int) Arrays.stream(lengths)
+			.filter(n -> n > SessionTuning.OBJECT * lengths[lengths.length - 1]).count();
 	}
 }

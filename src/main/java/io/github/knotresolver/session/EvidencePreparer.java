@@ -54,7 +54,8 @@ final class EvidencePreparer {
 		final List<FrameEvidence> evidence = threads.map("Finding lines", progress, frames.size(),
 			t -> finder.find(spotless.movie().frame(frames.get(t) - 1)));
 		final WorkingPixels blocks = new WorkingPixels(found.appearance().binning(), 0, 0);
-		final Box box = Box.around(evidence, told.stream().map(blocks::in).toList(), SessionTuning.BOX_MARGIN);
+		final Box box = Box.around(evidence, told.stream().map(blocks::in).toList(),
+			SessionTuning.BOX_MARGIN);
 		final FrameLights lights = new FrameLights(spotless.movie(), box,
 			Runtime.getRuntime().maxMemory());
 		final List<FrameView> views = workers.map("Thinning", progress, frames.size(), t -> {

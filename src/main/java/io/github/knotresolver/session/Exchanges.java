@@ -54,7 +54,8 @@ final class Exchanges {
 			.min(Comparator.comparingDouble(t -> distance(t, c.frame(), place)))
 			.orElseThrow(() -> new UserException("corrections exchange filament " + c.filament()
 				+ " from frame " + c.frame() + " on with the one that passes " + place
-				+ ", but there no other filament does within " + Math.round(SessionTuning.SHOWN_EXCHANGE)
+				+ ", but there no other filament does within "
+				+ Math.round(SessionTuning.SHOWN_EXCHANGE)
 				+ " px; name a place on the contour of the other one."));
 	}
 

@@ -99,7 +99,8 @@ final class FramePreparer {
 	Img<FloatType> clean(final int frame) {
 		final Img<FloatType> clean = cleaner.clean(movie.frame(frame - 1));
 		return blurs
-			? Pixels.image(GaussianBlur.blur(Pixels.floats(clean), movie.width(), SessionTuning.CALM_FRAME),
+			? Pixels.image(
+				GaussianBlur.blur(Pixels.floats(clean), movie.width(), SessionTuning.CALM_FRAME),
 				movie.width())
 			: clean;
 	}

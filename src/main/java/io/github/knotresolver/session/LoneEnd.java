@@ -26,8 +26,9 @@ final class LoneEnd {
 	}
 
 	private static boolean isInPlace(final Point end, final List<FrameView> frames) {
-		return frames.stream().filter(
-			f -> f.graph().freeEnds().stream().anyMatch(n -> n.position().distanceTo(end) <= SessionTuning.PREVIEW_END))
+		return frames.stream()
+			.filter(f -> f.graph().freeEnds().stream()
+				.anyMatch(n -> n.position().distanceTo(end) <= SessionTuning.PREVIEW_END))
 			.count() >= SessionTuning.PREVIEW_CLAMPED * frames.size();
 	}
 }

@@ -83,7 +83,9 @@ record LookPlace(Movie movie, WorkingPixels pixels) {
 
 	private static Polyline smooth(final Polyline trail) {
 		final Polyline even = trail.resampled(1);
-		return even.size() > 2 ? GaussianSmoothing.gaussian(even, SessionTuning.LOOK_SMOOTH).resampled(1) : even;
+		return even.size() > 2
+			? GaussianSmoothing.gaussian(even, SessionTuning.LOOK_SMOOTH).resampled(1)
+			: even;
 	}
 
 	/** The light of a curve in units of that of the skeleton's usual pixel. */

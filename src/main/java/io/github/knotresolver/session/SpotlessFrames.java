@@ -105,9 +105,7 @@ final class SpotlessFrames {
 			final int at = (int) ((place.getLongPosition(1) - top) * width
 				+ place.getLongPosition(0) - left);
 			pixels.setPosition(place);
-			final List<Sides> sides = light[at] > 0 || !dazzled.isEmpty()
-				? dazzled.get(at)
-				: null;
+			final List<Sides> sides = light[at] > 0 || !dazzled.isEmpty() ? dazzled.get(at) : null;
 			if (sides == null || sides.isEmpty()) {
 				out.set(pixels.get().getRealFloat() - sign * light[at]);
 				return;

@@ -84,9 +84,9 @@ record StillSpots(Movie movie, AppearanceFinder.Found lines, int count) {
 
 	private static float[] rows(final RandomAccessibleInterval<? extends RealType<?>> frame,
 		final int first, final int last, final int sign) {
-		final float[] values = Pixels.floats(Views.interval(frame,
-			new long[]{frame.min(0), frame.min(1) + first},
-			new long[]{frame.max(0), frame.min(1) + last}));
+		final float[] values = Pixels
+			.floats(Views.interval(frame, new long[]{frame.min(0), frame.min(1) + first},
+				new long[]{frame.max(0), frame.min(1) + last}));
 		for (int i = 0; i < values.length; i++)
 			values[i] *= sign;
 		return values;

@@ -30,21 +30,23 @@ final class Verdict {
 			.filter(o -> o.status() == FrameStatus.RESOLVED || o.status() == FrameStatus.UNRESOLVED)
 			.toList();
 		final long likely = all.stream().filter(o -> o.confidence() > SessionTuning.LIKELY).count();
-		if (all.size() >= SessionTuning.VERDICT_FRAMES && likely < SessionTuning.LIKELY_SHARE * all.size())
+		if (all.size() >= SessionTuning.VERDICT_FRAMES
+			&& likely < SessionTuning.LIKELY_SHARE * all.size())
 			verdict.add(String.format(Locale.ROOT,
 				"Doubtful as a whole: only %d of %d contours are more likely right than wrong; the movie may show something other than filaments, or more than can be followed. Look at the overlay before using any of it.",
 				likely, all.size()));
 		if (!filaments.isEmpty() && filaments.stream().allMatch(Verdict::standsStill))
 			verdict.add(String.format(Locale.ROOT,
 				"Nothing moves: %s the same in all frames to %.1f px, so the movie does not tell which end is fixed or which way to go at a crossing.",
-				filaments.size() == 1 ? "the contour is" : "all contours are", SessionTuning.STILL));
+				filaments.size() == 1 ? "the contour is" : "all contours are",
+				SessionTuning.STILL));
 		return verdict;
 	}
 
 	private static boolean standsStill(final FilamentTrack track) {
 		final List<Polyline> contours = track.frames().stream().map(Observation::contour)
 			.flatMap(Optional::stream).filter(c -> c.size() > 1).toList();
-		return contours.size() >= SessionTuning.VERDICT_FRAMES && contours.stream()
-			.allMatch(c -> EqualArcDistance.mean(c, contours.get(contours.size() / 2)) < SessionTuning.STILL);
+		return contours.size() >= SessionTuning.VERDICT_FRAMES && contours.stream().allMatch(
+			c -> EqualArcDistance.mean(c, contours.get(contours.size() / 2)) < SessionTuning.STILL);
 	}
 }

@@ -91,7 +91,8 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid, boolean roam
 		final int steps = chains.size() - 1;
 		if (steps < 1 || slid == 0)
 			return false;
-		final int lag = (int) Math.min(steps, Math.ceil(TrackTuning.GLIDES_FAR * steps / Math.abs(slid)));
+		final int lag = (int) Math.min(steps,
+			Math.ceil(TrackTuning.GLIDES_FAR * steps / Math.abs(slid)));
 		final double[] off = new double[steps + 1 - lag];
 		for (int t = 0; t < off.length; t++)
 			off[t] = offTrack(chains.get(t).polyline(), chains.get(t + lag).polyline());

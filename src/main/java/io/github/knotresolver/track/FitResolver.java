@@ -88,8 +88,7 @@ public final class FitResolver {
 	 */
 	public Optional<FitSolver> learn(final List<FrameView> frames, final Point fixedEnd,
 		final OptionalDouble length) {
-		return look(frames, fixedEnd, length)
-			.map(seen -> new FitSolver(pools(seen)));
+		return look(frames, fixedEnd, length).map(seen -> new FitSolver(pools(seen)));
 	}
 
 	/**
@@ -142,8 +141,7 @@ public final class FitResolver {
 
 		/** The same, if the fixed end stays where the clearest frames have it. */
 		FilamentCourse still() {
-			return course.withAnchor(
-				AnchorPath.still(course.estimate().fixedEnd(), frames.size()));
+			return course.withAnchor(AnchorPath.still(course.estimate().fixedEnd(), frames.size()));
 		}
 	}
 
@@ -179,9 +177,9 @@ public final class FitResolver {
 		final Lengths length = Lengths.of(open, frames.size(),
 			told.isEmpty() && lengths == LengthModel.AUTO);
 		final FilamentEstimate settled = told.isPresent() ? estimate : length.settle(estimate);
-		return new Seen(frames,
-			new FilamentCourse(settled, anchor, length.course(settled.length(), frames.size()), 0,
-				endsFree.stiffness()),
+		return new Seen(
+			frames, new FilamentCourse(settled, anchor,
+				length.course(settled.length(), frames.size()), 0, endsFree.stiffness()),
 			anchor.isHearsay(open));
 	}
 

@@ -52,7 +52,8 @@ public final class FitSolver {
 		final FilamentCourse course = pools.course();
 		final FitTrellis.Solved solved = new FitTrellis(pools.frames(), pools.light(), course, fits,
 			pools.sets(), this::look).solve(said, progress);
-		return new Resolved(course.estimate(), TurnedRound.doubted(solved.frames()), solved.evidence(),
+		return new Resolved(course.estimate(), TurnedRound.doubted(solved.frames()),
+			solved.evidence(),
 			course.withLength(course.length().settled(solved.lengths())).notes(pools.frames()));
 	}
 

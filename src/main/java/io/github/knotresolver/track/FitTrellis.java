@@ -114,8 +114,8 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 			return Observation.without(frame, FrameStatus.UNRESOLVED,
 				doubt.replace("Doubtful: ", "No contour can be trusted: "));
 		final Visible visible = Visible.of(chosen(t, path).chain().contour(), light.get(t));
-		if (said.isEmpty() && visible.contour().length() < TrackTuning.SPOT
-			* course.estimate().model().sigma())
+		if (said.isEmpty()
+			&& visible.contour().length() < TrackTuning.SPOT * course.estimate().model().sigma())
 			return Observation.without(frame, FrameStatus.UNRESOLVED,
 				"What is seen of the contour is too short to be told from a spot.");
 		final String limit = sets.get(t).limitReason();

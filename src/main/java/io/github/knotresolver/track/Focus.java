@@ -63,8 +63,8 @@ record Focus(double[] widening, double[] brightness) {
 			.toArray();
 		return widths.length < TrackTuning.FOCUS_PIXELS
 			? Double.NaN
-			: widths[(int) (TrackTuning.FOCUS_QUANTILE * (widths.length - 1))] / e.appearance().width()
-				* e.appearance().workingSigma();
+			: widths[(int) (TrackTuning.FOCUS_QUANTILE * (widths.length - 1))]
+				/ e.appearance().width() * e.appearance().workingSigma();
 	}
 
 	private static double brightness(final FrameView frame, final CandidateSet set) {
@@ -73,10 +73,11 @@ record Focus(double[] widening, double[] brightness) {
 	}
 
 	private static boolean changes(final double[] widths) {
-		final double[] steady = Arrays.stream(medians(widths, TrackTuning.FOCUS_STEADY)).filter(Double::isFinite)
-			.sorted().toArray();
+		final double[] steady = Arrays.stream(medians(widths, TrackTuning.FOCUS_STEADY))
+			.filter(Double::isFinite).sorted().toArray();
 		final int tenth = steady.length / 10;
-		return steady.length > TrackTuning.FOCUS_STEADY && steady[steady.length - 1 - tenth] > TrackTuning.FOCUS_CHANGE * steady[tenth];
+		return steady.length > TrackTuning.FOCUS_STEADY
+			&& steady[steady.length - 1 - tenth] > TrackTuning.FOCUS_CHANGE * steady[tenth];
 	}
 
 	/** The median of each value and its neighbours in time, as far as they are known. */

@@ -54,7 +54,8 @@ final class FreeAgain {
 	}
 
 	private static Chain supple(final Chain chain) {
-		return chain.divided(Math.max(chain.links(), (int) Math.rint(chain.length() / SceneTuning.AGAIN_LINK)));
+		return chain.divided(
+			Math.max(chain.links(), (int) Math.rint(chain.length() / SceneTuning.AGAIN_LINK)));
 	}
 
 	/** First and last plus one of the longest run of set frames. */
@@ -81,8 +82,8 @@ final class FreeAgain {
 		if (start + step < 0 || start + step >= n)
 			return;
 		final Pursuit pursuit = new Pursuit(line, SceneWeights.SUPPLE, pass, k);
-		List<Course> courses = List.of(new Course(chains.get(start), 0,
-			new Course(chains.get(start - step), 0, null)));
+		List<Course> courses = List
+			.of(new Course(chains.get(start), 0, new Course(chains.get(start - step), 0, null)));
 		int end = start;
 		for (int t = start + step; t >= 0 && t < n; t += step) {
 			progress.checkCancelled();

@@ -67,7 +67,8 @@ record Hypotheses(List<List<Chain>> passes, List<Integer> numbers) {
 		int same = 0, reversed = 0;
 		final double a = mine.get(0).length();
 		final double b = other.get(0).length();
-		if (Math.abs(a - b) <= SceneTuning.SAME_LENGTH_SHARE * Math.max(a, b) + SceneTuning.SAME_LENGTH)
+		if (Math.abs(a - b) <= SceneTuning.SAME_LENGTH_SHARE * Math.max(a, b)
+			+ SceneTuning.SAME_LENGTH)
 			for (int t = 0; t < mine.size(); t++) {
 				if (mine.get(t).start().distanceTo(other.get(t).start()) > a + b)
 					continue;

@@ -57,8 +57,9 @@ final class JointFit {
 	}
 
 	private static Chain relinked(final Chain chain) {
-		return chain.linkLength() >= SceneTuning.SHORTEST_LINK && chain.linkLength() <= SceneTuning.LONGEST_LINK
-			? chain
-			: Chain.inScene(chain.polyline(), chain.length());
+		return chain.linkLength() >= SceneTuning.SHORTEST_LINK
+			&& chain.linkLength() <= SceneTuning.LONGEST_LINK
+				? chain
+				: Chain.inScene(chain.polyline(), chain.length());
 	}
 }

@@ -165,8 +165,8 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 				final double least = Math.min(most, Math.abs(off[i]));
 				sum += 0.5 * least * least;
 			}
-			return sum + TrackTuning.PARAMETER * Math.log(known.length)
-				* parameters(course.kind, turns);
+			return sum
+				+ TrackTuning.PARAMETER * Math.log(known.length) * parameters(course.kind, turns);
 		}
 
 		/** Whether a length and those before and after it are all too long, or all too short. */
@@ -174,8 +174,8 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 			if (i == 0 || i == off.length - 1)
 				return false;
 			final double sign = Math.signum(off[i]);
-			return Math.min(sign * off[i], Math.min(sign * off[i - 1],
-				sign * off[i + 1])) > TrackTuning.LENGTH_OUTLIER;
+			return Math.min(sign * off[i],
+				Math.min(sign * off[i - 1], sign * off[i + 1])) > TrackTuning.LENGTH_OUTLIER;
 		}
 
 		private double parameters(final Kind kind, final int turns) {
@@ -223,8 +223,7 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 		}
 
 		private RobustLine line(final int from, final int to) {
-			return RobustLine.through(
-				IntStream.range(from, to).mapToDouble(i -> seen[i]).toArray(),
+			return RobustLine.through(IntStream.range(from, to).mapToDouble(i -> seen[i]).toArray(),
 				Arrays.copyOfRange(known, from, to));
 		}
 

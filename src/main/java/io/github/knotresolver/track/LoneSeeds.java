@@ -37,7 +37,8 @@ final class LoneSeeds {
 			return false;
 		final Point held = place(lone);
 		final double[] off = distances(lone, held);
-		return off[off.length / 2] <= SceneTuning.LONE_USUALLY && off[(int) (SceneTuning.LONE_MOST * (off.length - 1))] <= SceneTuning.LONE_MOSTLY
+		return off[off.length / 2] <= SceneTuning.LONE_USUALLY
+			&& off[(int) (SceneTuning.LONE_MOST * (off.length - 1))] <= SceneTuning.LONE_MOSTLY
 			&& range(lone, held) > SceneTuning.LONE_FAR;
 	}
 
@@ -49,7 +50,8 @@ final class LoneSeeds {
 			ends.add(c.polyline().last());
 		}
 		return ends.stream()
-			.min(Comparator.comparingDouble(p -> distances(lone, p)[lone.size() / 2])).orElseThrow();
+			.min(Comparator.comparingDouble(p -> distances(lone, p)[lone.size() / 2]))
+			.orElseThrow();
 	}
 
 	/** How far filaments' nearer ends are from a place, in pixels, rising. */
@@ -58,8 +60,7 @@ final class LoneSeeds {
 	}
 
 	private static double nearer(final Chain chain, final Point place) {
-		return Math.min(place.distanceTo(chain.start()),
-			place.distanceTo(chain.polyline().last()));
+		return Math.min(place.distanceTo(chain.start()), place.distanceTo(chain.polyline().last()));
 	}
 
 	/** The largest distance between places of the end that is farther from where one is held. */

@@ -88,7 +88,9 @@ record OpenFrames(List<Seen> seen) {
 			return this;
 		final double usual = new Median().evaluate(open);
 		return new OpenFrames(seen.stream()
-			.filter(s -> !s.crossed || Math.abs(s.chain.length() / usual - 1) > TrackTuning.OPEN_BROKEN).toList());
+			.filter(
+				s -> !s.crossed || Math.abs(s.chain.length() / usual - 1) > TrackTuning.OPEN_BROKEN)
+			.toList());
 	}
 
 	/** The best trail if it runs from a free end to a free end and leaves nothing out. */
@@ -100,7 +102,8 @@ record OpenFrames(List<Seen> seen) {
 	}
 
 	private static boolean isOpen(final Candidate c) {
-		return c.price().overlap() <= TrackTuning.OPEN_TWICE && Crossings.of(ContourBuilder.smooth(c)).isEmpty();
+		return c.price().overlap() <= TrackTuning.OPEN_TWICE
+			&& Crossings.of(ContourBuilder.smooth(c)).isEmpty();
 	}
 
 	/** For every frame whether it is in a long run of frames in which nothing was seen. */

@@ -73,8 +73,9 @@ final class Pursuit {
 		all.sort(Comparator.comparingDouble(Course::sum));
 		final List<Course> kept = new ArrayList<>();
 		for (final Course c : all)
-			if (kept.size() < SceneTuning.PURSUIT_MOST && c.sum <= all.get(0).sum + SceneTuning.PURSUIT_MARGIN
-				&& kept.stream().noneMatch(k -> k.chain.farthest(c.chain) < SceneTuning.PURSUIT_SAME))
+			if (kept.size() < SceneTuning.PURSUIT_MOST
+				&& c.sum <= all.get(0).sum + SceneTuning.PURSUIT_MARGIN && kept.stream()
+					.noneMatch(k -> k.chain.farthest(c.chain) < SceneTuning.PURSUIT_SAME))
 				kept.add(c);
 		return kept;
 	}
@@ -104,10 +105,8 @@ final class Pursuit {
 	}
 
 	private Course course(final Course before, final Fit fit, final Chain expected) {
-		return new Course(fit.chain(),
-			before.sum + fit.energy()
-				+ loose.memory() * expected.length() * fit.chain().squaredTurn(expected),
-			before);
+		return new Course(fit.chain(), before.sum + fit.energy()
+			+ loose.memory() * expected.length() * fit.chain().squaredTurn(expected), before);
 	}
 
 	private static List<Chain> predictions(final Course course) {
@@ -140,6 +139,7 @@ final class Pursuit {
 						promising.add(window.price(c.reversed(), loose));
 			}
 		return promising.stream().filter(f -> f.energy() < usual + SceneTuning.PURSUIT_PROMISING)
-			.sorted(Comparator.comparingDouble(Fit::energy)).limit(SceneTuning.PURSUIT_FITTED).map(Fit::chain).toList();
+			.sorted(Comparator.comparingDouble(Fit::energy)).limit(SceneTuning.PURSUIT_FITTED)
+			.map(Fit::chain).toList();
 	}
 }

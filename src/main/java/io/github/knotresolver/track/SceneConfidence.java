@@ -39,8 +39,13 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 
 	private double[] factors() {
 		return new double[]{1 - Math.exp(-gap / SceneTuning.SCENE_GAP),
-			Math.exp(-Math.max(0, unexplained - SceneTuning.HARMLESS_LIGHT) / SceneTuning.LIGHT_SCALE), 1 - dark,
-			Math.min(1, Math.max(SceneTuning.LEAST_OF_HASTE, (SceneTuning.HOPELESS_HASTE - haste) / (SceneTuning.HOPELESS_HASTE - SceneTuning.USUAL_HASTE))),
+			Math.exp(
+				-Math.max(0, unexplained - SceneTuning.HARMLESS_LIGHT) / SceneTuning.LIGHT_SCALE),
+			1 - dark,
+			Math.min(1,
+				Math.max(SceneTuning.LEAST_OF_HASTE,
+					(SceneTuning.HOPELESS_HASTE - haste)
+						/ (SceneTuning.HOPELESS_HASTE - SceneTuning.USUAL_HASTE))),
 			Math.min(1, 1 + SceneTuning.SELDOM_UNCLEAR - elsewhere)};
 	}
 
@@ -68,13 +73,14 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 		for (int t = 0; t < frames.size(); t++) {
 			final Observation here = frames.get(t);
 			final double least = frames
-				.subList(Math.max(0, t - SceneTuning.LIKE_NEIGHBOURS), Math.min(frames.size(), t + SceneTuning.LIKE_NEIGHBOURS + 1))
+				.subList(Math.max(0, t - SceneTuning.LIKE_NEIGHBOURS),
+					Math.min(frames.size(), t + SceneTuning.LIKE_NEIGHBOURS + 1))
 				.stream().filter(o -> o.contour().isPresent()).mapToDouble(Observation::confidence)
 				.min().orElse(1);
-			cautious
-				.add(here.contour().isEmpty() || least >= here.confidence()
-					? here
-					: here.withConfidence(least, !here.reason().isEmpty() || least >= SceneTuning.SURE_ENOUGH
+			cautious.add(here.contour().isEmpty() || least >= here.confidence()
+				? here
+				: here.withConfidence(least,
+					!here.reason().isEmpty() || least >= SceneTuning.SURE_ENOUGH
 						? here.reason()
 						: "Doubtful: the contour of a frame just before or after this one is."));
 		}

@@ -50,7 +50,8 @@ final class SceneLengths {
 		for (int k = 0; k < before.size(); k++) {
 			final double length = lengths.get(k).length;
 			final double off = Math.abs(length - before.get(k).length());
-			isRight &= off < Math.max(SceneTuning.LENGTH_OFF, SceneTuning.LENGTH_OFF_SHARE * length);
+			isRight &= off < Math.max(SceneTuning.LENGTH_OFF,
+				SceneTuning.LENGTH_OFF_SHARE * length);
 			chains.add(Chain.inScene(before.get(k).polyline(), length));
 		}
 		if (isRight)
@@ -96,12 +97,14 @@ final class SceneLengths {
 
 	/** Whether lengths in order of time are others from somewhere on. */
 	static boolean changes(final double[] seen) {
-		for (int from = SceneTuning.LENGTH_ASIDE; from <= seen.length - SceneTuning.LENGTH_ASIDE; from++) {
+		for (int from = SceneTuning.LENGTH_ASIDE; from <= seen.length
+			- SceneTuning.LENGTH_ASIDE; from++) {
 			final double[] before = Arrays.copyOf(seen, from);
 			final double[] after = Arrays.copyOfRange(seen, from, seen.length);
 			final double step = Math
 				.abs(new Median().evaluate(after) - new Median().evaluate(before));
-			if (step > SceneTuning.LENGTH_STEP && step > SceneTuning.LENGTH_CLEARLY * Math.min(scatter(before), scatter(after)))
+			if (step > SceneTuning.LENGTH_STEP
+				&& step > SceneTuning.LENGTH_CLEARLY * Math.min(scatter(before), scatter(after)))
 				return true;
 		}
 		return false;

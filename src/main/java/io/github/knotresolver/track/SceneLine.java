@@ -54,9 +54,9 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		final List<FrameView> scaled = Calming.of(frames, strand, workers).stream()
 			.map(f -> f.scaled(strand)).toList();
 		final List<Seen> seen = look(scaled);
-		final List<FrameView> open = best(seen, Comparator.comparingInt(s -> s.loose + s.crossings));
-		final List<FrameView> crossed = best(
-			seen.stream().filter(s -> s.crossings > 0).toList(),
+		final List<FrameView> open = best(seen,
+			Comparator.comparingInt(s -> s.loose + s.crossings));
+		final List<FrameView> crossed = best(seen.stream().filter(s -> s.crossings > 0).toList(),
 			Comparator.comparingInt(Seen::loose)
 				.thenComparing(Comparator.comparingInt(Seen::crossings).reversed()));
 		final Estimate line = kinds.stream().map(k -> learn(open, k, progress))
@@ -78,7 +78,8 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 			.filter(Double::isFinite).sorted().toArray();
 		return values.length == 0
 			? 1
-			: Math.max(1e-9, values[(int) (SceneTuning.STRAND_QUANTILE * (values.length - 1))] / SceneTuning.MEAN_OF_RIDGE);
+			: Math.max(1e-9, values[(int) (SceneTuning.STRAND_QUANTILE * (values.length - 1))]
+				/ SceneTuning.MEAN_OF_RIDGE);
 	}
 
 	/** A frame and how its trails look. */
@@ -106,7 +107,8 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 
 	private static Estimate learn(final List<FrameView> frames, final LineModel.Kind kind,
 		final Progress progress) {
-		Estimate line = new Estimate(LineModel.uniform(kind, SceneTuning.FIRST_SIGMA, 1), 1, 0, 1, 1);
+		Estimate line = new Estimate(LineModel.uniform(kind, SceneTuning.FIRST_SIGMA, 1), 1, 0, 1,
+			1);
 		for (int round = 0; round < SceneTuning.LINE_ROUNDS; round++) {
 			final List<Example> examples = examples(frames, line);
 			if (examples.isEmpty())
@@ -171,10 +173,10 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		final int height = set.length / width;
 		for (int i = 0; i < set.length; i++)
 			if (set[i])
-				for (int y = Math.max(0, i / width - SceneTuning.LINE_NEAR); y <= Math.min(height - 1,
-					i / width + SceneTuning.LINE_NEAR); y++)
-					for (int x = Math.max(0, i % width - SceneTuning.LINE_NEAR); x <= Math.min(width - 1,
-						i % width + SceneTuning.LINE_NEAR); x++)
+				for (int y = Math.max(0, i / width - SceneTuning.LINE_NEAR); y <= Math
+					.min(height - 1, i / width + SceneTuning.LINE_NEAR); y++)
+					for (int x = Math.max(0, i % width - SceneTuning.LINE_NEAR); x <= Math
+						.min(width - 1, i % width + SceneTuning.LINE_NEAR); x++)
 						near[y * width + x] = true;
 		return near;
 	}

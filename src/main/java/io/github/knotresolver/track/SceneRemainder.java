@@ -35,7 +35,8 @@ final class SceneRemainder {
 		final boolean[] mask = Pixels.bits(frame.mask());
 		for (int i = 0; i < mask.length; i++)
 			if (shone[i])
-				mask[i] = left.meanAround(i % left.width(), i / left.width()) > SceneTuning.REST_LEFT;
+				mask[i] = left.meanAround(i % left.width(),
+					i / left.width()) > SceneTuning.REST_LEFT;
 		final Img<BitType> rest = Pixels.mask(mask, left.width());
 		return new FrameView(frame.frame(), left, rest, SkeletonGraph.of(Skeletonize.thin(rest)));
 	}

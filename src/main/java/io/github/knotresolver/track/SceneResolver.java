@@ -85,8 +85,8 @@ public final class SceneResolver {
 		final SceneWeights weights = SceneWeights.DEFAULT;
 		final SceneSeeds looks = new SceneSeeds(line, weights);
 		final List<SceneSeed> seeds = looks.all(workers, progress);
-		if (onlyScenes
-			&& LoneSeeds.areOfOneClamped(seeds, SceneTuning.SCENE_SPECK * line.tables().model().sigma()))
+		if (onlyScenes && LoneSeeds.areOfOneClamped(seeds,
+			SceneTuning.SCENE_SPECK * line.tables().model().sigma()))
 			return Optional.empty();
 		final List<Priced> passes = passes(line, weights, looks, seeds);
 		if (passes.isEmpty())
@@ -103,8 +103,9 @@ public final class SceneResolver {
 	private boolean isOneClamped(final SceneLine line, final List<Settled> followed) {
 		final double speck = SceneTuning.SCENE_SPECK * line.tables().model().sigma();
 		return followed.stream().filter(f -> f.chains().get(0).length() >= speck).count() == 1
-			&& SceneTracks.of(line, followed, ScenePass.of(followed).clear(line, workers),
-				AnchorChoice.AUTO).isOneClamped();
+			&& SceneTracks
+				.of(line, followed, ScenePass.of(followed).clear(line, workers), AnchorChoice.AUTO)
+				.isOneClamped();
 	}
 
 	/** A pass with its price, and what of it is unexplained light. */
@@ -129,7 +130,8 @@ public final class SceneResolver {
 		final ScenePool pool = new ScenePool(line);
 		Optional<SceneSeed> seed = first.stream().findFirst();
 		while (seed.isPresent() && used.size() < SceneTuning.MOST_PASSES) {
-			progress.report("Following the filaments", (double) passes.size() / SceneTuning.MOST_PASSES);
+			progress.report("Following the filaments",
+				(double) passes.size() / SceneTuning.MOST_PASSES);
 			used.add(seed.get());
 			if (!seed.get().chains().isEmpty()) {
 				final ScenePass pass = ScenePass.from(seed.get().frame(), seed.get().chains(), line,
@@ -189,15 +191,14 @@ public final class SceneResolver {
 	private List<Settled> settled(final SceneLine line, final SceneWeights weights,
 		final List<Priced> passes) {
 		final Priced best = passes.get(0);
-		final List<ScenePass> some = passes.stream().limit(best.isClear() ? 1 : SceneTuning.SETTLED_PASSES)
-			.map(Priced::pass).toList();
+		final List<ScenePass> some = passes.stream()
+			.limit(best.isClear() ? 1 : SceneTuning.SETTLED_PASSES).map(Priced::pass).toList();
 		final SceneSettler settler = new SceneSettler(line, weights, some);
 		final List<Settled> settled = settler.settle(progress);
 		if (some.size() == 1)
 			return settled;
 		final ScenePass together = ScenePass.of(settled);
-		return together.price(line) - together.priceOfFilaments() <= SceneTuning.VISIBLY_LESS * best.unexplained()
-			? settled
-			: settler.first(settled);
+		return together.price(line) - together.priceOfFilaments() <= SceneTuning.VISIBLY_LESS
+			* best.unexplained() ? settled : settler.first(settled);
 	}
 }

@@ -79,7 +79,8 @@ record SceneSeed(int frame, List<Chain> chains, boolean[] stable, double coverag
 	}
 
 	static double oneWay(final Polyline a, final Polyline b) {
-		final Polyline p = a.divided(SceneTuning.SEED_POINTS), q = b.divided(SceneTuning.SEED_POINTS);
+		final Polyline p = a.divided(SceneTuning.SEED_POINTS),
+			q = b.divided(SceneTuning.SEED_POINTS);
 		double sum = 0;
 		for (int i = 0; i <= SceneTuning.SEED_POINTS; i++)
 			sum += p.point(i).distanceTo(q.point(i));

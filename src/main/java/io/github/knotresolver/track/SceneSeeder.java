@@ -67,7 +67,9 @@ final class SceneSeeder {
 
 	private static Polyline smooth(final Polyline trail) {
 		final Polyline even = trail.resampled(1);
-		return even.size() > 2 ? GaussianSmoothing.gaussian(even, SceneTuning.SEED_SMOOTH).resampled(1) : even;
+		return even.size() > 2
+			? GaussianSmoothing.gaussian(even, SceneTuning.SEED_SMOOTH).resampled(1)
+			: even;
 	}
 
 	/** Cuts a curve, sampled at a pixel, at its corners. */
@@ -104,7 +106,9 @@ final class SceneSeeder {
 
 	private static Polyline lengthened(final Polyline curve) {
 		return UnexplainedLight
-			.extended(UnexplainedLight.extended(curve, SceneTuning.SEED_HIDDEN).reversed(), SceneTuning.SEED_HIDDEN).reversed();
+			.extended(UnexplainedLight.extended(curve, SceneTuning.SEED_HIDDEN).reversed(),
+				SceneTuning.SEED_HIDDEN)
+			.reversed();
 	}
 
 	private List<Chain> worthTheirPrice(final Scene scene, final int held) {
@@ -114,7 +118,8 @@ final class SceneSeeder {
 			scene.take(k);
 			final double explained = -scene.window(List.of(chain)).price(chain, weights.free())
 				.light();
-			if (explained > SceneTuning.FILAMENT_LIGHT && chain.length() > SceneTuning.FILAMENT_SHORTEST) {
+			if (explained > SceneTuning.FILAMENT_LIGHT
+				&& chain.length() > SceneTuning.FILAMENT_SHORTEST) {
 				scene.put(k, chain);
 				kept.add(chain);
 			}

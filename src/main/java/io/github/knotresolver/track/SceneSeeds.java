@@ -86,11 +86,15 @@ final class SceneSeeds {
 		if (used.size() == 1 && used.get(0).worth() >= SceneTuning.SEED_SOUND) {
 			final int pieces = used.get(0).chains().size();
 			final Optional<SceneSeed> fewer = first.stream()
-				.filter(s -> s.chains().size() < pieces && s.worth() >= SceneTuning.SEED_FEWER * best).findFirst();
+				.filter(
+					s -> s.chains().size() < pieces && s.worth() >= SceneTuning.SEED_FEWER * best)
+				.findFirst();
 			if (fewer.isPresent())
 				return fewer;
 		}
-		final double enough = pool.isEmpty() ? SceneTuning.SEED_WORTH * best : Math.max(SceneTuning.SEED_SOUND, SceneTuning.SEED_WORTH * best);
+		final double enough = pool.isEmpty()
+			? SceneTuning.SEED_WORTH * best
+			: Math.max(SceneTuning.SEED_SOUND, SceneTuning.SEED_WORTH * best);
 		final Optional<SceneSeed> another = first.stream().filter(s -> s.worth() >= enough)
 			.filter(s -> isAnother(s, used)).findFirst();
 		if (pool.isEmpty() || another.isPresent())
@@ -99,15 +103,17 @@ final class SceneSeeds {
 		for (final SceneSeed seed : first)
 			if (used.stream().noneMatch(u -> u.frame() == seed.frame()))
 				covered.put(seed.frame(), pool.coverage(seed.frame()));
-		final List<Integer> frames = covered.entrySet().stream().filter(e -> e.getValue() < SceneTuning.SEED_ALL)
-			.sorted(Map.Entry.<Integer, Double>comparingByValue().reversed()).limit(SceneTuning.SEED_AGAIN)
-			.map(Map.Entry::getKey).toList();
+		final List<Integer> frames = covered.entrySet().stream()
+			.filter(e -> e.getValue() < SceneTuning.SEED_ALL)
+			.sorted(Map.Entry.<Integer, Double>comparingByValue().reversed())
+			.limit(SceneTuning.SEED_AGAIN).map(Map.Entry::getKey).toList();
 		return at(frames, pool, workers, progress).stream().findFirst();
 	}
 
 	private boolean isAnother(final SceneSeed seed, final List<SceneSeed> used) {
 		return used.stream()
-			.allMatch(u -> Math.abs(u.frame() - seed.frame()) > line.frames().size() / SceneTuning.SEED_SPACING)
+			.allMatch(u -> Math.abs(u.frame() - seed.frame()) > line.frames().size()
+				/ SceneTuning.SEED_SPACING)
 			|| used.stream().allMatch(u -> u.chains().size() != seed.chains().size());
 	}
 }

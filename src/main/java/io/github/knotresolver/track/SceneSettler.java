@@ -67,7 +67,8 @@ final class SceneSettler {
 			final List<Chain> chains = filaments.get(k).passes().get(0);
 			final double[] gap = settled.get(k).gap().clone();
 			for (int t = 0; t < gap.length; t++)
-				if (chains.get(t).farthest(settled.get(k).chains().get(t)) > SceneTuning.VISIBLY_FAR)
+				if (chains.get(t)
+					.farthest(settled.get(k).chains().get(t)) > SceneTuning.VISIBLY_FAR)
 					gap[t] = 0.5;
 			all.add(new Settled(chains, gap, settled.get(k).lengthError()));
 		}
@@ -112,6 +113,7 @@ final class SceneSettler {
 		for (int t = 0; t < motion.length; t++)
 			motion[t] = chains.get(t).distance(chains.get(t + 1));
 		Arrays.sort(motion);
-		return Math.max(SceneTuning.SETTLE_LEAST, motion.length == 0 ? 0 : motion[motion.length / 2]);
+		return Math.max(SceneTuning.SETTLE_LEAST,
+			motion.length == 0 ? 0 : motion[motion.length / 2]);
 	}
 }

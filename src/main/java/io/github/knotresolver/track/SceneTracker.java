@@ -82,7 +82,8 @@ final class SceneTracker {
 		final boolean[] worthIt = new boolean[wrong.length];
 		for (int k = 0; k < wrong.length; k++) {
 			wrong[k] = scene.isOff(scene.chain(k), mismatch) ? wrong[k] + 1 : 0;
-			worthIt[k] = wrong[k] <= SceneTuning.PATIENCE || wrong[k] % SceneTuning.SELDOM_MENDED == 0;
+			worthIt[k] = wrong[k] <= SceneTuning.PATIENCE
+				|| wrong[k] % SceneTuning.SELDOM_MENDED == 0;
 		}
 		return worthIt;
 	}

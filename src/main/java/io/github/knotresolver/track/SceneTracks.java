@@ -85,15 +85,16 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 			for (int k = 0; k < usual.length; k++) {
 				final double haste = haste(chains.get(k), t) / usual[k];
 				final SceneConfidence confidence = new SceneConfidence(settled.get(k).gap()[t],
-					left.worstBeside(here.get(k), here), SceneConfidence.dark(frame.light(), here.get(k)),
-					haste, elsewhere[k]);
+					left.worstBeside(here.get(k), here),
+					SceneConfidence.dark(frame.light(), here.get(k)), haste, elsewhere[k]);
 				observed.get(k).add(observation(frame, here.get(k), confidence));
 			}
 		}
 		final List<Filament> filaments = new ArrayList<>();
 		int specks = 0;
 		for (int k = 0; k < usual.length; k++)
-			if (chains.get(k).get(0).length() < SceneTuning.SCENE_SPECK * line.tables().model().sigma())
+			if (chains.get(k).get(0).length() < SceneTuning.SCENE_SPECK
+				* line.tables().model().sigma())
 				specks++;
 			else
 				filaments.add(new Filament(ends.get(k).clamped(), ends.get(k).roams(),
@@ -119,16 +120,16 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 
 	private static String specksNote(final int specks) {
 		return specks + (specks == 1 ? " object was" : " objects were")
-			+ " modelled but not counted as filaments: they are shorter than " + Math.round(SceneTuning.SCENE_SPECK)
-			+ " times the line's sigma.";
+			+ " modelled but not counted as filaments: they are shorter than "
+			+ Math.round(SceneTuning.SCENE_SPECK) + " times the line's sigma.";
 	}
 
 	/**
 	 * @return whether there is one filament, and nothing speaks for its being free
 	 */
 	public boolean isOneClamped() {
-		return filaments.size() == 1 && (filaments.get(0).clamped()
-			|| !filaments.get(0).roams() && filaments.get(0).meanConfidence() < SceneTuning.CREDIBLE);
+		return filaments.size() == 1 && (filaments.get(0).clamped() || !filaments.get(0).roams()
+			&& filaments.get(0).meanConfidence() < SceneTuning.CREDIBLE);
 	}
 
 	private static double haste(final List<Chain> chains, final int t) {

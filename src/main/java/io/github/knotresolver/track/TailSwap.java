@@ -123,7 +123,8 @@ final class TailSwap {
 		final List<Pair> all = new ArrayList<>();
 		int from = -1;
 		for (int i = 0; i <= p.size(); i++) {
-			final boolean near = i < p.size() && distance(p, i, q, nearest(p, i, q)) < SceneTuning.SWAP_TOUCH;
+			final boolean near = i < p.size()
+				&& distance(p, i, q, nearest(p, i, q)) < SceneTuning.SWAP_TOUCH;
 			if (near && from < 0)
 				from = i;
 			if (!near && from >= 0) {
@@ -184,7 +185,9 @@ final class TailSwap {
 		if (curve.first().distanceTo(filament.start()) > SceneTuning.SWAP_JUMP)
 			return Optional.empty();
 		final Polyline even = curve.resampled(1);
-		final Polyline smooth = even.size() > 2 ? GaussianSmoothing.gaussian(even, SceneTuning.SWAP_SMOOTH) : even;
+		final Polyline smooth = even.size() > 2
+			? GaussianSmoothing.gaussian(even, SceneTuning.SWAP_SMOOTH)
+			: even;
 		final double missing = filament.length() - smooth.length();
 		final Polyline whole = missing > 0
 			? UnexplainedLight.extended(smooth, missing)

@@ -68,8 +68,7 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 		}
 	}
 
-	private record Solution(List<Column> columns, TrellisPath path,
-		OptionalDouble length) {
+	private record Solution(List<Column> columns, TrellisPath path, OptionalDouble length) {
 	}
 
 	@Override
@@ -123,8 +122,8 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 		progress.report("Resolving", 0.5);
 		final ContourDistance distance = new ContourDistance(
 			columns.stream().map(Column::contours).toList(), motion, workers, progress);
-		return new Solution(columns, Trellis
-			.solve(columns.stream().map(Column::priceArray).toList(), distance, progress),
+		return new Solution(columns,
+			Trellis.solve(columns.stream().map(Column::priceArray).toList(), distance, progress),
 			length);
 	}
 
@@ -150,10 +149,9 @@ public record TrellisResolver(CandidateGenerator generator, double motion,
 		if (column.contours().isEmpty())
 			return frame.withoutCandidates();
 		final int chosen = solution.path.choice()[t];
-		return new Observation(frame.frame(), FrameStatus.RESOLVED,
-			column.limitReason, Optional.of(column.contours().get(chosen)),
-			frame.junctions(), column.contours().size(), column.prices().get(chosen),
-			confidence(solution, t, chosen));
+		return new Observation(frame.frame(), FrameStatus.RESOLVED, column.limitReason,
+			Optional.of(column.contours().get(chosen)), frame.junctions(), column.contours().size(),
+			column.prices().get(chosen), confidence(solution, t, chosen));
 	}
 
 	private static double confidence(final Solution solution, final int t, final int chosen) {

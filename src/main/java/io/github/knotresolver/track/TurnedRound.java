@@ -57,9 +57,8 @@ final class TurnedRound {
 
 	/** What the user said stays as it was said. */
 	private static Observation doubted(final Observation o) {
-		return o.status() == FrameStatus.CORRECTED
-			|| o.confidence() <= TrackTuning.TURNED
-				? o
-				: o.withConfidence(TrackTuning.TURNED, WHY);
+		return o.status() == FrameStatus.CORRECTED || o.confidence() <= TrackTuning.TURNED
+			? o
+			: o.withConfidence(TrackTuning.TURNED, WHY);
 	}
 }

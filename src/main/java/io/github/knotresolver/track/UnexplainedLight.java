@@ -99,7 +99,8 @@ final class UnexplainedLight {
 			for (final Polyline curve : List.of(curves.get(k), curves.get(k).reversed()))
 				for (final Polyline beyond : List.of(stretch, stretch.reversed())) {
 					final double distance = curve.last().distanceTo(beyond.first());
-					if (distance < nearest && alignment(curve, beyond.last()) > SceneTuning.LEFT_ALIGNED) {
+					if (distance < nearest
+						&& alignment(curve, beyond.last()) > SceneTuning.LEFT_ALIGNED) {
 						nearest = distance;
 						which = k;
 						longer = joined(curve, beyond.last());

@@ -54,8 +54,8 @@ public class FitBenchmark {
 		final double[] x = new double[links + 1], y = new double[links + 1];
 		truth.nodes(x, y);
 		final double[] pixels = new double[length * HEIGHT];
-		ImageTerm.of(new NormalizedFrame(length, HEIGHT, pixels), model, links).draw(x, y, links, new Patch(0, 0, length, HEIGHT),
-			pixels);
+		ImageTerm.of(new NormalizedFrame(length, HEIGHT, pixels), model, links).draw(x, y, links,
+			new Patch(0, 0, length, HEIGHT), pixels);
 		final Random random = new Random(1);
 		for (int i = 0; i < pixels.length; i++)
 			pixels[i] += NOISE * random.nextGaussian();

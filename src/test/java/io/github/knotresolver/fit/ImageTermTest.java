@@ -113,12 +113,12 @@ class ImageTermTest {
 		cross.nodes(x, y);
 		final double[] picture = new double[SIZE * SIZE];
 		final NormalizedFrame dark = new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]);
-		ImageTerm.of(dark, LineModel.uniform(LineModel.Kind.ADDITIVE, 1.5, 1), 60).draw(x, y, 60, Patch.of(dark),
-			picture);
+		ImageTerm.of(dark, LineModel.uniform(LineModel.Kind.ADDITIVE, 1.5, 1), 60).draw(x, y, 60,
+			Patch.of(dark), picture);
 		assertEquals(2, picture[30 * SIZE + 30], 0.05);
 		assertEquals(1, picture[30 * SIZE + 20], 0.01);
-		ImageTerm.of(dark, LineModel.uniform(LineModel.Kind.SATURATING, 1.5, 1), 60).draw(x, y, 60, Patch.of(dark),
-			picture);
+		ImageTerm.of(dark, LineModel.uniform(LineModel.Kind.SATURATING, 1.5, 1), 60).draw(x, y, 60,
+			Patch.of(dark), picture);
 		assertEquals(1, picture[30 * SIZE + 30], 0.05);
 	}
 

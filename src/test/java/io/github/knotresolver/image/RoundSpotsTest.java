@@ -29,8 +29,7 @@ class RoundSpotsTest {
 	private static ToDoubleBiFunction<Integer, Integer> bead(final double x, final double y,
 		final double height) {
 		final double s = 1.3 * SIGMA;
-		return (u, v) -> height
-			* Math.exp(-((u - x) * (u - x) + (v - y) * (v - y)) / (2 * s * s));
+		return (u, v) -> height * Math.exp(-((u - x) * (u - x) + (v - y) * (v - y)) / (2 * s * s));
 	}
 
 	/** A line through a point in a direction, endless, or from there on. */
@@ -87,8 +86,7 @@ class RoundSpotsTest {
 
 	@Test
 	void whereLinesCrossIsNoSpot() {
-		assertEquals(0,
-			in(List.of(line(40, 40, 0.4, true), line(40, 40, 1.9, true))).count());
+		assertEquals(0, in(List.of(line(40, 40, 0.4, true), line(40, 40, 1.9, true))).count());
 	}
 
 	/** Around it the filament turns, so that only its beginning stays. */
@@ -107,8 +105,10 @@ class RoundSpotsTest {
 
 	@Test
 	void aWideHazeIsNoSpot() {
-		assertEquals(0, in(List.of((u, v) -> 300
-			* Math.exp(-((u - 40.) * (u - 40) + (v - 40.) * (v - 40)) / (2 * 15 * 15)))).count());
+		assertEquals(0,
+			in(List.of((u, v) -> 300
+				* Math.exp(-((u - 40.) * (u - 40) + (v - 40.) * (v - 40)) / (2 * 15 * 15))))
+				.count());
 	}
 
 	@Test
@@ -116,14 +116,12 @@ class RoundSpotsTest {
 		final Random random = new Random(3);
 		final List<float[]> frames = new ArrayList<>();
 		for (int t = 0; t < 32; t++) {
-			final float[] frame = picture(
-				List.of(bead(40, 40, 150), line(40, 8 + 2 * t, 0, true)));
+			final float[] frame = picture(List.of(bead(40, 40, 150), line(40, 8 + 2 * t, 0, true)));
 			for (int i = 0; i < frame.length; i++)
 				frame[i] += (float) (10 * random.nextGaussian());
 			frames.add(frame);
 		}
-		final float[] still = StillPicture.of(frames), truth = picture(
-			List.of(bead(40, 40, 150)));
+		final float[] still = StillPicture.of(frames), truth = picture(List.of(bead(40, 40, 150)));
 		double off = 0, squares = 0;
 		for (int i = 0; i < still.length; i++) {
 			off += (still[i] - truth[i]) / still.length;

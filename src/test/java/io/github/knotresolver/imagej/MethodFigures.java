@@ -81,7 +81,8 @@ public final class MethodFigures {
 		new Color(0x009e73), new Color(0xcc79a7), new Color(0xf0e442), new Color(0xd55e00)};
 
 	private final Movie movie = ImageMovie.of(SampleMovie.open(), InputOptions.DEFAULT);
-	private final Tracks tracks = new Session(movie, Settings.DEFAULT).solve(List.of(), Progress.NONE);
+	private final Tracks tracks = new Session(movie, Settings.DEFAULT).solve(List.of(),
+		Progress.NONE);
 	private final Polyline contour = tracks.only().frames().get(FRAME - 1).contour().orElseThrow();
 	private final RandomAccessibleInterval<? extends RealType<?>> frame = movie.frame(FRAME - 1);
 	private final Viewport view = around();

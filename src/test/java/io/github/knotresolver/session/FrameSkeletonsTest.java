@@ -54,7 +54,8 @@ class FrameSkeletonsTest {
 	@ParameterizedTest
 	@ValueSource(strings = {"threshold", "active-contour"})
 	void baselinesRunThroughThePipeline(final String steps) {
-		final Tracks result = new Session(drawn.movie(), parameters(drawn.movie(), steps)).solve(List.of(), Progress.NONE);
+		final Tracks result = new Session(drawn.movie(), parameters(drawn.movie(), steps))
+			.solve(List.of(), Progress.NONE);
 		assertEquals(FRAMES, result.resolved());
 	}
 

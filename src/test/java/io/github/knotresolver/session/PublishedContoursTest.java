@@ -36,7 +36,8 @@ class PublishedContoursTest {
 			"paper", "refine", "no", "fixed_end", "22,55", "threads", "1"))
 			.parameters(drawn.movie());
 		final StringBuilder text = new StringBuilder();
-		for (final Observation frame : new Session(drawn.movie(), settings).solve(List.of(), Progress.NONE).only().frames())
+		for (final Observation frame : new Session(drawn.movie(), settings)
+			.solve(List.of(), Progress.NONE).only().frames())
 			frame.contour().ifPresent(contour -> append(text, frame.frame(), contour));
 		assertEquals(CONTOURS, HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256")
 			.digest(text.toString().getBytes(StandardCharsets.UTF_8))));

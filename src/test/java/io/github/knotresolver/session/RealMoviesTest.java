@@ -41,7 +41,8 @@ class RealMoviesTest {
 		final double lengthVariation) {
 		final Path file = DATA.resolve(name + ".tif");
 		assumeTrue(Files.exists(file), "Not here: " + file);
-		final Tracks tracks = new Session(ImageMovie.of(ImageFile.open(file), InputOptions.DEFAULT), Settings.DEFAULT).solve(List.of(), Progress.NONE);
+		final Tracks tracks = new Session(ImageMovie.of(ImageFile.open(file), InputOptions.DEFAULT),
+			Settings.DEFAULT).solve(List.of(), Progress.NONE);
 		final Consistency consistency = Consistency.of(tracks.only().frames());
 		assertAll(name, () -> assertEquals(frames, tracks.resolved(), "frames with a contour"),
 			() -> assertEquals(List.of(), consistency.off(), "frames of another length"),
@@ -57,10 +58,14 @@ class RealMoviesTest {
 	void aPieceLikeASpotIsNoContour() {
 		final Path file = DATA.resolveSibling("faults").resolve("crash_mt6.tif");
 		assumeTrue(Files.exists(file), "Not here: " + file);
-		final Tracks tracks = new Session(ImageMovie.of(ImageFile.open(file), InputOptions.DEFAULT), new Settings.Builder().fixedEnd(Optional.of(new Point(12, 8)))
-				.lengthModel(LengthModel.FREE).build()).solve(List.of(), Progress.NONE);
+		final Tracks tracks = new Session(ImageMovie.of(ImageFile.open(file), InputOptions.DEFAULT),
+			new Settings.Builder().fixedEnd(Optional.of(new Point(12, 8)))
+				.lengthModel(LengthModel.FREE).build())
+			.solve(List.of(), Progress.NONE);
 		for (final Observation frame : tracks.only().frames())
-			assertTrue(frame.contour().isEmpty() || frame.confidence() < Observation.SURE
-				&& frame.contour().get().length() > 8, frame.toString());
+			assertTrue(
+				frame.contour().isEmpty()
+					|| frame.confidence() < Observation.SURE && frame.contour().get().length() > 8,
+				frame.toString());
 	}
 }

@@ -82,7 +82,9 @@ class SessionTest {
 		final Tracks anew = new Session(drawn.movie(), SETTINGS)
 			.solve(List.of(through, refused, contour), Progress.NONE);
 		assertSame(anew, again);
-		assertEquals(new Session(drawn.movie(), SETTINGS.edit().constraints(List.of(contour, through, refused)).threads(1).build()).solve(List.of(), Progress.NONE).only(), again.only());
+		assertEquals(new Session(drawn.movie(),
+			SETTINGS.edit().constraints(List.of(contour, through, refused)).threads(1).build())
+			.solve(List.of(), Progress.NONE).only(), again.only());
 		assertSame(silent, session.solve(List.of(), Progress.NONE));
 	}
 

@@ -71,8 +71,8 @@ class StillSpotsTest {
 			final float[] frame = Pixels.floats(spots.movie().frame(t));
 			double squares = 0;
 			for (int i = 0; i < frame.length; i++)
-				squares += Math.pow(
-					sign * (frame[i] - 1000) - line(t, i % SIZE, i / SIZE), 2) / frame.length;
+				squares += Math.pow(sign * (frame[i] - 1000) - line(t, i % SIZE, i / SIZE), 2)
+					/ frame.length;
 			assertTrue(Math.sqrt(squares) < 2 * NOISE, t + ": " + Math.sqrt(squares));
 		}
 	}
@@ -84,8 +84,9 @@ class StillSpotsTest {
 		for (int t = 0; t < 24; t++)
 			if (line(t, 50, 50) > 0.8 * STRAND) {
 				through++;
-				assertTrue(Pixels.floats(spots.movie().frame(t))[50 * SIZE + 50] - 1000 > 0.5
-					* STRAND, "frame " + t);
+				assertTrue(
+					Pixels.floats(spots.movie().frame(t))[50 * SIZE + 50] - 1000 > 0.5 * STRAND,
+					"frame " + t);
 			}
 		assertTrue(through > 0);
 	}

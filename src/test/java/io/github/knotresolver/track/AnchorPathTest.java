@@ -34,8 +34,7 @@ class AnchorPathTest {
 
 	@Test
 	void aWrongFrameMovesNothing() {
-		assertEquals(0,
-			settled(20, t -> new Point(t == 5 ? 40 : 20 + 0.1 * (t % 3), 10)).range());
+		assertEquals(0, settled(20, t -> new Point(t == 5 ? 40 : 20 + 0.1 * (t % 3), 10)).range());
 	}
 
 	@Test
@@ -53,7 +52,8 @@ class AnchorPathTest {
 	}
 
 	private static Chain from(final Point end) {
-		return Chain.along(Polyline.of(new double[]{end.x(), end.x() + 40},
-			new double[]{end.y(), end.y()}), 20, 40);
+		return Chain.along(
+			Polyline.of(new double[]{end.x(), end.x() + 40}, new double[]{end.y(), end.y()}), 20,
+			40);
 	}
 }

@@ -77,8 +77,7 @@ class FreeAgainTest {
 
 	@Test
 	void aGliderIsFollowedIntoARingThatItWindsUpItself() {
-		final SceneLine line = line(
-			LineTables.together(LineModel.uniform(Kind.ADDITIVE, 1.4, 1)));
+		final SceneLine line = line(LineTables.together(LineModel.uniform(Kind.ADDITIVE, 1.4, 1)));
 		final List<List<Chain>> known = new ArrayList<>();
 		final boolean[] clear = new boolean[FRAMES];
 		Arrays.fill(clear, 0, OPEN, true);
@@ -97,8 +96,7 @@ class FreeAgainTest {
 
 	@Test
 	void whatIsNeverClearForLongIsNotFollowedAgain() {
-		final SceneLine line = line(
-			LineTables.together(LineModel.uniform(Kind.ADDITIVE, 1.4, 1)));
+		final SceneLine line = line(LineTables.together(LineModel.uniform(Kind.ADDITIVE, 1.4, 1)));
 		final List<List<Chain>> known = new ArrayList<>();
 		final boolean[] clear = new boolean[FRAMES];
 		for (int t = 0; t < FRAMES; t++) {

@@ -39,8 +39,7 @@ class SceneLineTest {
 			ridge[i] = light[i] > 0.9;
 		}
 		return new FrameView(t + 1, new NormalizedFrame(SIZE, SIZE, light),
-			Pixels.mask(ridge, SIZE),
-			SkeletonGraph.of(Skeletonize.thin(Pixels.mask(ridge, SIZE))));
+			Pixels.mask(ridge, SIZE), SkeletonGraph.of(Skeletonize.thin(Pixels.mask(ridge, SIZE))));
 	}
 
 	private static double sigma(final double drawn) {

@@ -118,7 +118,8 @@ public final class MeasurementAccuracyMain {
 	}
 
 	private static MeasuredTracks measured(final Movie movie) {
-		return MeasuredTracks.of(new Session(movie, RunOptions.parse(Map.of()).parameters(movie)).solve(List.of(), Progress.NONE), Progress.NONE);
+		return MeasuredTracks.of(new Session(movie, RunOptions.parse(Map.of()).parameters(movie))
+			.solve(List.of(), Progress.NONE), Progress.NONE);
 	}
 
 	private void oscillations(final int filaments) {

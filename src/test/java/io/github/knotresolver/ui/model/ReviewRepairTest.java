@@ -117,7 +117,9 @@ class ReviewRepairTest {
 		final Tracks reviewed = model.atRest();
 		CorrectionsCsv.write(file, model.said());
 		assertEquals(model.said(), CorrectionsCsv.read(file));
-		final Tracks run = new Session(drawn.movie(), SETTINGS.edit().threads(1).constraints(CorrectionsCsv.read(file)).build()).solve(List.of(), Progress.NONE);
+		final Tracks run = new Session(drawn.movie(),
+			SETTINGS.edit().threads(1).constraints(CorrectionsCsv.read(file)).build())
+			.solve(List.of(), Progress.NONE);
 		assertEquals(written(run, "run"), written(reviewed, "reviewed"));
 		assertNotEquals("", written(run, "run"));
 	}
