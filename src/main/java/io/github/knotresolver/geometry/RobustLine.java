@@ -1,5 +1,7 @@
 package io.github.knotresolver.geometry;
 
+import java.util.stream.IntStream;
+
 /**
  * A line through values of which up to a quarter may be anything (P. K. Sen,
  * doi:10.1080/01621459.1968.10480934).
@@ -9,8 +11,12 @@ package io.github.knotresolver.geometry;
  */
 public record RobustLine(double start, double slope) {
 
+	/** Of more values, so many that are spread evenly say the slope as well. */
+	private static final int MOST = 500;
+
 	/**
-	 * The median of the slopes of all pairs, and of what is left. O(n²) for n values.
+	 * The median of the slopes of all pairs, and of what is left. O(n²) for n values; of more than
+	 * {@value #MOST}, only so many are paired.
 	 *
 	 * @param at where the values are, increasing
 	 * @param values one for each place
@@ -18,16 +24,26 @@ public record RobustLine(double start, double slope) {
 	 */
 	public static RobustLine through(final double[] at, final double[] values) {
 		final int n = values.length;
-		final double[] slopes = new double[n * (n - 1) / 2];
+		final int[] some = spread(n);
+		final double[] slopes = new double[some.length * (some.length - 1) / 2];
 		int count = 0;
-		for (int i = 0; i < n; i++)
-			for (int j = i + 1; j < n; j++)
+		for (int a = 0; a < some.length; a++)
+			for (int b = a + 1; b < some.length; b++) {
+				final int i = some[a], j = some[b];
 				slopes[count++] = (values[j] - values[i]) / (at[j] - at[i]);
+			}
 		final double slope = count == 0 ? 0 : RobustStatistics.median(slopes);
 		final double[] left = new double[n];
 		for (int i = 0; i < n; i++)
 			left[i] = values[i] - slope * at[i];
 		return new RobustLine(n == 0 ? 0 : RobustStatistics.median(left), slope);
+	}
+
+	/** Indices of all values, or of some that are spread evenly. */
+	private static int[] spread(final int n) {
+		return n <= MOST
+			? IntStream.range(0, n).toArray()
+			: IntStream.range(0, MOST).map(i -> (int) ((long) i * (n - 1) / (MOST - 1))).toArray();
 	}
 
 	/** @return the value at a place */

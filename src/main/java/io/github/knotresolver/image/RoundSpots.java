@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.progress.Cancellation;
 
 /**
  * The light of round bright spots, beads and dirt, in a still picture: taken off one by one,
@@ -83,8 +84,10 @@ public final class RoundSpots {
 		final List<Peak> peaks = peaks(calm);
 		final List<Point> beads = peaks.stream().filter(p -> p.roundness > BEAD).map(Peak::at)
 			.toList();
-		for (final Peak peak : peaks)
+		for (final Peak peak : peaks) {
+			Cancellation.check();
 			takeOff(peak.at, beads);
+		}
 	}
 
 	/** Local maxima that are not as long as lines, the brightest first. */

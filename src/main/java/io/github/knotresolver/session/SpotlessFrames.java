@@ -17,6 +17,7 @@ import net.imglib2.view.Views;
 import io.github.knotresolver.image.LineAppearance;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Polarity;
+import io.github.knotresolver.progress.Cancellation;
 
 /**
  * The frames of a movie less light that stays. Where that dazzles, a pixel says nothing of what
@@ -49,8 +50,10 @@ final class SpotlessFrames {
 		sign = lines.polarity() == Polarity.DARK ? -1 : 1;
 		dazzling = SessionTuning.DAZZLING * lines.strand();
 		for (int at = 0; at < light.length; at++)
-			if (isDazzled(at % width, at / width))
+			if (isDazzled(at % width, at / width)) {
+				Cancellation.check();
 				dazzled.put(at, sides(at % width, at / width));
+			}
 	}
 
 	/** The two pixels on both sides, row by row. */
@@ -105,7 +108,7 @@ final class SpotlessFrames {
 			final int at = (int) ((place.getLongPosition(1) - top) * width
 				+ place.getLongPosition(0) - left);
 			pixels.setPosition(place);
-			final List<Sides> sides = light[at] > 0 || !dazzled.isEmpty() ? dazzled.get(at) : null;
+			final List<Sides> sides = dazzled.isEmpty() ? null : dazzled.get(at);
 			if (sides == null || sides.isEmpty()) {
 				out.set(pixels.get().getRealFloat() - sign * light[at]);
 				return;

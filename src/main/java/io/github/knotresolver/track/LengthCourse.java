@@ -8,6 +8,7 @@ import java.util.stream.Stream;
 
 import io.github.knotresolver.geometry.RobustLine;
 import io.github.knotresolver.geometry.RobustStatistics;
+import io.github.knotresolver.progress.Cancellation;
 
 /**
  * How long the filament is in every frame: the same in all, growing or shrinking steadily,
@@ -48,8 +49,8 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 	 * @param seen index of each frame in which the length is known, in order
 	 * @param known those lengths in pixels
 	 * @param frames number of frames
-	 * @return the course, one that changes by turns only if it changes otherwise; empty if there are too few lengths, or they say that the length is
-	 *         constant
+	 * @return the course, one that changes by turns only if it changes otherwise; empty if there are
+	 *         too few lengths, or they say that the length is constant
 	 */
 	static Optional<LengthCourse> changing(final int[] seen, final double[] known,
 		final int frames) {
@@ -195,6 +196,7 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 		}
 
 		private LengthCourse broken(final int first, final boolean steady) {
+			Cancellation.check();
 			final int at = (seen[first - 1] + seen[first] + 1) / 2;
 			final RobustLine before = steady
 				? line(0, first)

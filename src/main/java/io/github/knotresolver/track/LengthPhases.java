@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 
 import io.github.knotresolver.geometry.RobustStatistics;
+import io.github.knotresolver.progress.Cancellation;
 
 /**
  * A length that grows, shrinks and stays by turns, each at a steady rate, as that of a
@@ -32,7 +33,8 @@ record LengthPhases(double[] lengths, int turns) {
 		final double[] calm = calm(known), cost = new double[last + 1];
 		final int[] from = new int[last + 1];
 		Arrays.fill(cost, 2, last + 1, Double.POSITIVE_INFINITY);
-		for (int j = 2; j <= last; j++)
+		for (int j = 2; j <= last; j++) {
+			Cancellation.check();
 			for (int i = 1; i < j; i++) {
 				final double price = cost[i] + (i > 1 ? turn : 0);
 				if ((i == 1 || j == last || j - i >= TrackTuning.BESIDE_BREAK) && price < cost[j]) {
@@ -44,6 +46,7 @@ record LengthPhases(double[] lengths, int turns) {
 					}
 				}
 			}
+		}
 		final List<Integer> knots = new ArrayList<>(List.of(last));
 		for (int j = last; j > 1; j = from[j])
 			knots.add(0, from[j]);

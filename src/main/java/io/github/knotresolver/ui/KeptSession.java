@@ -40,6 +40,16 @@ public final class KeptSession implements Engine, Solver {
 		return session.solve(said, progress);
 	}
 
+	/** Leaves the image its pixels also when it is closed, so that its result can still be saved. */
+	void holdPixels() {
+		pixels.image().setIgnoreFlush(true);
+	}
+
+	/** They go with the image again. */
+	void releasePixels() {
+		pixels.image().setIgnoreFlush(false);
+	}
+
 	/** @throws UserException if the image was edited since its run, in one sentence */
 	void requireSamePixels() {
 		if (!pixels.isSame())

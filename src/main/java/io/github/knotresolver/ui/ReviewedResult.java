@@ -41,15 +41,15 @@ public final class ReviewedResult implements AutoCloseable {
 	private final Map<String, String> given;
 	private final ImageSource source;
 	private final ReviewModel model;
-	/** Fails if what was resolved is not in the image any more. */
-	private final Runnable check;
+	/** Of a live result, what it was made by; its image is needed as long as it is reviewed. */
+	private final Optional<KeptSession> session;
 	private Optional<Path> folder;
 	/** What is in the file of corrections as far as it is known here. */
 	private Optional<String> file;
 	private List<Constraint> saved;
 
 	private ReviewedResult(final Map<String, String> texts, final ImageSource source,
-		final ReviewModel model, final Optional<Path> folder, final Runnable check)
+		final ReviewModel model, final Optional<Path> folder, final Optional<KeptSession> session)
 		throws IOException {
 		given = new TreeMap<>(texts);
 		given.values().removeIf(text -> text == null || text.isBlank());
@@ -57,9 +57,10 @@ public final class ReviewedResult implements AutoCloseable {
 		this.source = source;
 		this.model = model;
 		this.folder = folder;
-		this.check = check;
+		this.session = session;
 		file = text();
 		saved = model.said();
+		session.ifPresent(KeptSession::holdPixels);
 	}
 
 	/**
@@ -82,10 +83,9 @@ public final class ReviewedResult implements AutoCloseable {
 		final List<Constraint> before = EarlierCorrections.of(absolute);
 		return new ReviewedResult(identity.given(), source,
 			FinishedTracks.read(absolute, movie, options.settings(movie, before))
-				.map(t -> ReviewModel.finished(t, solver)).orElseGet(
-					() -> new ReviewModel(movie, solver, before)),
-			Optional.of(absolute), () -> {
-			});
+				.map(t -> ReviewModel.finished(t, solver))
+				.orElseGet(() -> new ReviewModel(movie, solver, before)),
+			Optional.of(absolute), Optional.empty());
 	}
 
 	private static RunIdentity identity(final Path folder, final Path absolute,
@@ -119,7 +119,7 @@ public final class ReviewedResult implements AutoCloseable {
 		return new ReviewedResult(live.texts(), ImageSource.of(image),
 			ReviewModel.live(live.tracks(), live.session()),
 			live.folder().map(f -> f.toAbsolutePath().normalize()),
-			live.session()::requireSamePixels);
+			Optional.of(live.session()));
 	}
 
 	/** @return the folder, absolute; empty as long as the result was never written */
@@ -181,7 +181,7 @@ public final class ReviewedResult implements AutoCloseable {
 		final Path target = folder
 			.orElseThrow(() -> new UserException("Choose the folder of the result first."));
 		final Tracks tracks = model.atRest();
-		check.run();
+		session.ifPresent(KeptSession::requireSamePixels);
 		final List<Constraint> said = tracks.settings().constraints();
 		if (ResultKind.of(target).isPresent()) {
 			writeCorrections(said);
@@ -289,5 +289,6 @@ public final class ReviewedResult implements AutoCloseable {
 	@Override
 	public void close() {
 		model.close();
+		session.ifPresent(KeptSession::releasePixels);
 	}
 }

@@ -3,6 +3,7 @@ package io.github.knotresolver.ui;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -185,6 +186,30 @@ class ReviewedResultTest {
 			assertEquals(Optional.empty(), review.model().problem());
 			assertEquals(1, review.model().said().size());
 		}
+	}
+
+	@Test
+	void correctionsCanBeSavedWhenTheImageWasClosedMeanwhile() throws Exception {
+		final ImagePlus image = ImageFile.open(movie);
+		final KeptSession session = new KeptSession(image);
+		final Map<String, String> texts = Map.of("frames", "1-5", "threads", "2");
+		final Tracks tracks = ResolveRun.of(texts).read(ImageSource.of(image), Progress.NONE)
+			.resolve(session, ResultSink.NONE, Progress.NONE).result().tracks();
+		final LiveResult live = new LiveResult(tracks, session, texts, Optional.empty());
+		final Path fresh = home.resolve("fresh");
+		try (ReviewedResult review = ReviewedResult.of(live, image)) {
+			review.chooseFolder(fresh);
+			review.model().goTo(3);
+			review.model().refuse();
+			review.model().atRest();
+			// What ImageJ does when the window is closed.
+			image.flush();
+			review.save(Progress.NONE);
+			assertFalse(review.isChanged());
+			assertEquals(1, CorrectionsCsv.read(fresh.resolve(CorrectionsCsv.FILE)).size());
+		}
+		image.flush();
+		assertNull(image.getProcessor(), "the pixels go with the review");
 	}
 
 	@Test
