@@ -19,9 +19,8 @@ final class MovieMemory {
 	/** What a run has beside the movie: tables, fits, pictures. */
 	private static final long ALWAYS = 64L << 20;
 	/**
-	 * For a pixel of a frame: the movie, its light, its evidence. Small movies need most, as what is
-	 * drawn is not kept: one of 1 million pixels ran in 80 MB, one of 21 million in 200 MB, one of 168
-	 * million in 1 GB.
+	 * For a pixel of a frame: the movie, its light, its evidence; what is drawn is not kept. Rather too
+	 * many, as is room for what only small movies notice.
 	 */
 	private static final long BYTES_A_PIXEL = 16;
 	/** With so much, a movie of any length runs: what does not fit is left in its file. */

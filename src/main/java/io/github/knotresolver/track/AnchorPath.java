@@ -110,7 +110,7 @@ record AnchorPath(List<Point> places, double[] weights) {
 	 *
 	 * @param open fits of open frames
 	 */
-	boolean isHearsay(final OpenFrames open) {
+	boolean isFromSkeletonsAlone(final OpenFrames open) {
 		return range() > 0 && open.withFixedEnd().size() < TrackTuning.SETTLING;
 	}
 

@@ -132,11 +132,15 @@ public final class FitResolver {
 		return new Refined(seen.course.estimate(), fitted);
 	}
 
-	/** The frames without bleaching and noise, and what they tell of the filament. */
-	private record Seen(List<FrameView> frames, FilamentCourse course, boolean hearsay) {
+	/**
+	 * The frames without bleaching and noise, and what they tell of the filament.
+	 *
+	 * @param endIsDoubtful whether skeletons alone say that its fixed end moves
+	 */
+	private record Seen(List<FrameView> frames, FilamentCourse course, boolean endIsDoubtful) {
 
 		Seen withNoise(final double noise) {
-			return new Seen(frames, course.withNoise(noise), hearsay);
+			return new Seen(frames, course.withNoise(noise), endIsDoubtful);
 		}
 
 		/** The same, if the fixed end stays where the clearest frames have it. */
@@ -177,10 +181,10 @@ public final class FitResolver {
 		final Lengths length = Lengths.of(open, frames.size(),
 			told.isEmpty() && lengths == LengthModel.AUTO);
 		final FilamentEstimate settled = told.isPresent() ? estimate : length.settle(estimate);
-		return new Seen(
-			frames, new FilamentCourse(settled, anchor,
-				length.course(settled.length(), frames.size()), 0, endsFree.stiffness()),
-			anchor.isHearsay(open));
+		return new Seen(frames,
+			new FilamentCourse(settled, anchor, length.course(settled.length(), frames.size()), 0,
+				endsFree.stiffness()),
+			anchor.isFromSkeletonsAlone(open));
 	}
 
 	private static List<NormalizedFrame> light(final List<FrameView> frames,
@@ -224,7 +228,7 @@ public final class FitResolver {
 
 	private FitPools pools(final Seen seen) {
 		final Proposed first = proposed(seen.frames, seen.course);
-		final Proposed best = seen.hearsay
+		final Proposed best = seen.endIsDoubtful
 			? first.orStill(proposed(seen.frames, seen.still()))
 			: first;
 		final FilamentCourse settled = best.course()

@@ -32,8 +32,11 @@ final class OutcomesTable extends JTable {
 	private static final int[] WIDTHS = {150, 70, 75, 75, 75, 50, 75, 80, 85, 300};
 	private static final int MESSAGE = BatchTable.COLUMNS.size() - 1;
 	private static final int FONT = 16, GAP = 4, PICTURE_LINES = 3;
-	/** Sharp also where a pixel of the window is two of the screen. */
-	private static final int SHARP = 2;
+	/**
+	 * Pixels of a picture for one of its column's width: the font may be twice as large, and a pixel
+	 * of the window two of the screen.
+	 */
+	private static final int SHARP = 4;
 
 	private final transient BatchTable outcomes;
 	private final transient Map<Integer, BufferedImage> pictures = new HashMap<>();
@@ -76,7 +79,7 @@ final class OutcomesTable extends JTable {
 
 	private void readPicture(final int row) {
 		final Optional<BufferedImage> picture = outcomes.picture(row)
-			.flatMap(file -> SmallPicture.read(file, SHARP * WIDTHS[BatchTable.PICTURE] * 2));
+			.flatMap(file -> SmallPicture.read(file, SHARP * WIDTHS[BatchTable.PICTURE]));
 		SwingUtilities.invokeLater(() -> {
 			picture.ifPresentOrElse(p -> pictures.put(row, p), () -> pictures.remove(row));
 			cells.fireTableCellUpdated(row, BatchTable.PICTURE);

@@ -23,6 +23,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import io.github.knotresolver.contour.DiscreteFrechet;
 import io.github.knotresolver.contour.DynamicTimeWarping;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.image.RoundSpots;
 import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.imagej.SampleMovie;
 import io.github.knotresolver.mask.ChanVese;
@@ -65,6 +66,8 @@ class CancellationTest {
 			Arguments.of("thinning", 10, (Runnable) () -> Skeletonize.thin(block(40))),
 			Arguments.of("active contour", 50,
 				(Runnable) () -> ChanVese.evolve(ArrayImgs.floats(40, 40), block(40), 50, 0, 0)),
+			Arguments.of("still spots", 25,
+				(Runnable) () -> RoundSpots.in(spots(5), 100, 1.4, 100)),
 			Arguments.of("frequencies", 350, (Runnable) () -> DominantFrequency.of(wave(60), 1)));
 	}
 
@@ -139,6 +142,17 @@ class CancellationTest {
 		for (int t = 0; t < frames; t++)
 			values[t] = Math.sin(0.4 * t) + 0.1 * Math.sin(2.3 * t);
 		return values;
+	}
+
+	/** So many rows and columns of beads, 20 px apart, as bright as one and a half lines. */
+	private static float[] spots(final int rows) {
+		final int size = 20 * rows;
+		final float[] pixels = new float[size * size];
+		for (int i = 0; i < pixels.length; i++) {
+			final double x = i % size % 20 - 10, y = i / size % 20 - 10;
+			pixels[i] = (float) (150 * Math.exp(-(x * x + y * y) / (2 * 1.7 * 1.7)));
+		}
+		return pixels;
 	}
 
 	private static Img<BitType> block(final int size) {

@@ -56,11 +56,11 @@ class ProposedTest {
 	}
 
 	@Test
-	void skeletonsAloneAreHearsay() {
+	void skeletonsAloneSayThatAnEndMovesIfHardlyAnyFrameIsOpen() {
 		final AnchorPath moving = new AnchorPath(
 			IntStream.range(0, 20).mapToObj(t -> new Point(t, 0)).toList(), new double[20]);
-		assertTrue(moving.isHearsay(open(2)));
-		assertFalse(moving.isHearsay(open(12)));
-		assertFalse(AnchorPath.still(new Point(3, 3), 20).isHearsay(open(2)));
+		assertTrue(moving.isFromSkeletonsAlone(open(2)));
+		assertFalse(moving.isFromSkeletonsAlone(open(12)));
+		assertFalse(AnchorPath.still(new Point(3, 3), 20).isFromSkeletonsAlone(open(2)));
 	}
 }
