@@ -81,6 +81,7 @@ public final class RoundSpots {
 
 	/** One round: every peak once. */
 	private void takeOff(final double calm) {
+		Cancellation.check();
 		final List<Peak> peaks = peaks(calm);
 		final List<Point> beads = peaks.stream().filter(p -> p.roundness > BEAD).map(Peak::at)
 			.toList();
@@ -141,8 +142,13 @@ public final class RoundSpots {
 	}
 
 	private void takeOff(final Point spot, final List<Point> beads) {
-		final SpotProfile profile = SpotProfile.of(rest, width, spot, sigma).withoutLines(beads);
-		if (profile.height() < least(spot) * strand || profile.rim() > HAZE * profile.height())
+		final SpotProfile seen = SpotProfile.of(rest, width, spot, sigma);
+		final double least = least(spot) * strand;
+		// Most peaks are noise, and without lines they are no brighter.
+		if (seen.height() < least)
+			return;
+		final SpotProfile profile = seen.withoutLines(beads);
+		if (profile.height() < least || profile.rim() > HAZE * profile.height())
 			return;
 		taken.add(spot);
 		final int reach = (int) Math.ceil(profile.reach()), height = rest.length / width;
