@@ -75,16 +75,18 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 		}
 		final double[] elsewhere = usual.length < 2 ? new double[1] : unclear(clear);
 		final double noise = line.noise();
+		final Hiding hiding = new Hiding(SceneWeights.DEFAULT);
 		for (int t = 0; t < n; t++) {
 			final List<Chain> here = new ArrayList<>();
 			for (final List<Chain> c : chains)
 				here.add(c.get(t));
 			final FrameView frame = line.frames().get(t);
-			final Unexplained left = new Unexplained(new Scene(frame.light(), line.tables(), here),
-				noise);
+			final Scene scene = new Scene(frame.light(), line.tables(), here);
+			final Unexplained left = new Unexplained(scene, noise);
 			for (int k = 0; k < usual.length; k++) {
 				final double haste = haste(chains.get(k), t) / usual[k];
-				final SceneConfidence confidence = new SceneConfidence(settled.get(k).gap()[t],
+				final double gap = Math.min(settled.get(k).gap()[t], hiding.gap(scene, k));
+				final SceneConfidence confidence = new SceneConfidence(gap,
 					left.worstBeside(here.get(k), here),
 					SceneConfidence.dark(frame.light(), here.get(k)), haste, elsewhere[k]);
 				observed.get(k).add(observation(frame, here.get(k), confidence));

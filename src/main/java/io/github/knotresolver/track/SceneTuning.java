@@ -96,6 +96,19 @@ final class SceneTuning {
 	static final double LEAST_OF_HASTE = 0.05;
 
 	/**
+	 * [strands²] Where light does not add up: if so much more was unexplained with a contour slid
+	 * along itself so far that it shows, its frame gives a confidence of 63 %. Why: one end in the
+	 * open shows four times as much, and what the line's model leaves is a quarter.
+	 */
+	static final double HIDDEN_LIGHT = 1;
+
+	/**
+	 * [probability] ... and at least this. Why: what is hidden alone does not rule a contour out;
+	 * most filaments are where they were heading.
+	 */
+	static final double LEAST_OF_HIDDEN = 0.4;
+
+	/**
 	 * [share] A filament may be unclear in so many frames, and no frame of it is doubtful for that.
 	 * Why: crossings take as many.
 	 */
