@@ -5,7 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+
+import net.imglib2.img.Img;
+import net.imglib2.type.logic.BitType;
 
 import org.junit.jupiter.api.Test;
 
@@ -15,11 +20,16 @@ import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.LineTables;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.graph.SkeletonGraph;
+import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.model.AnchorChoice;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.track.SceneSettler.Settled;
 
 /** A short filament that glides along a long one: over its end, and then all of it under it. */
 class HidingTest {
 
-	private static final int SIZE = 120;
+	private static final int SIZE = 120, FRAMES = 20;
 
 	private static final double END_OF_LONG = 90;
 
@@ -74,5 +84,35 @@ class HidingTest {
 		final double[] before = scene.residual().pixels().clone();
 		hiding.shown(scene, 0);
 		assertArrayEquals(before, scene.residual().pixels(), 0);
+	}
+
+	/** As the short one glides under the long one, 3 px from frame to frame. */
+	@Test
+	void theMovieIsDoubtfulWhereAndOnlyWhereTheFilamentIsHidden() {
+		final List<Chain> shorts = new ArrayList<>(), longs = new ArrayList<>();
+		final List<FrameView> frames = new ArrayList<>();
+		LineTables line = null;
+		for (int t = 0; t < FRAMES; t++) {
+			final Scene scene = scene(LineModel.Kind.SATURATING, 112 - 3 * t);
+			line = scene.line();
+			shorts.add(scene.chain(0));
+			longs.add(scene.chain(1));
+			final Img<BitType> mask = Pixels.mask(new boolean[SIZE * SIZE], SIZE);
+			frames.add(new FrameView(t + 1, scene.light(), mask, SkeletonGraph.of(mask)));
+		}
+		final boolean[][] clear = new boolean[2][FRAMES];
+		final double[] sure = new double[FRAMES];
+		Arrays.fill(clear[0], true);
+		Arrays.fill(clear[1], true);
+		Arrays.fill(sure, 100);
+		final List<Observation> found = SceneTracks
+			.of(new SceneLine(line, frames, 0.05),
+				List.of(new Settled(longs, sure, 0), new Settled(shorts, sure, 0)), clear,
+				AnchorChoice.FREE)
+			.filaments().get(1).frames();
+		assertTrue(found.get(0).confidence() > 0.95, found.get(0).toString());
+		assertTrue(found.get(FRAMES - 1).confidence() < 0.5, found.get(FRAMES - 1).toString());
+		assertTrue(found.get(FRAMES - 1).reason().contains("another course"),
+			found.get(FRAMES - 1).reason());
 	}
 }
