@@ -29,6 +29,12 @@ public record Observation(int frame, FrameStatus status, String reason, Optional
 	int junctions, int candidates, double cost, double confidence, double visible,
 	List<Alternative> alternatives) {
 
+	/** The reason of a frame whose contour the user gave as a whole. */
+	public static final String GIVEN = "Given by the user.";
+
+	/** The reason of a frame that is {@code LOST}. */
+	public static final String NOT_FOUND = "No filament was found in this frame.";
+
 	/** A contour with more confidence than this is believed: nine of ten such contours are right, and a person need not look. */
 	public static final double SURE = 0.9;
 

@@ -55,7 +55,7 @@ final class GivenContours {
 		final Optional<Polyline> contour = words.stream().filter(c -> c.kind() == Kind.CONTOUR)
 			.map(Constraint::shape).reduce((first, last) -> last);
 		if (contour.isPresent())
-			return corrected(found, contour.get(), "Given by the user.");
+			return corrected(found, contour.get(), Observation.GIVEN);
 		if (!isScene)
 			return found;
 		final Observation bent = bent(found, words);

@@ -90,14 +90,13 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 		final int frame = frames.get(t).frame();
 		final Optional<Polyline> given = said.flatMap(Restriction::contour);
 		if (given.isPresent())
-			return new Observation(frame, FrameStatus.CORRECTED, "Given by the user.",
+			return new Observation(frame, FrameStatus.CORRECTED, Observation.GIVEN,
 				Optional.of(evidence.isEmpty() ? given.get() : chosen(t, path).chain().contour()),
 				junctions(t), 1, evidence.isEmpty() ? 0 : chosen(t, path).energy(), 1);
 		if (said.isPresent() && pools.get(t).isEmpty())
 			return Observation.without(frame, FrameStatus.UNRESOLVED, said.get().unmet());
 		if (quality.isEmpty() || quality.get().dark() > TrackTuning.LOST_DARK)
-			return Observation.without(frame, FrameStatus.LOST,
-				"No filament was found in this frame.");
+			return Observation.without(frame, FrameStatus.LOST, Observation.NOT_FOUND);
 		if (evidence.isEmpty())
 			return Observation.without(frame, FrameStatus.UNRESOLVED,
 				"The best contour runs in the dark for " + Math.round(100 * quality.get().dark())

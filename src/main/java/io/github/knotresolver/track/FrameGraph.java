@@ -33,13 +33,13 @@ public record FrameGraph(int frame, Optional<SkeletonGraph> graph) {
 	 * @return the frame with that contour
 	 */
 	public Observation corrected(final Polyline contour) {
-		return new Observation(frame, FrameStatus.CORRECTED, "Given by the user.",
+		return new Observation(frame, FrameStatus.CORRECTED, Observation.GIVEN,
 			Optional.of(contour), junctions(), 1, 0, 1);
 	}
 
 	/** @return the frame as one in which the filament was not found */
 	public Observation lost() {
-		return Observation.without(frame, FrameStatus.LOST, "No filament was found in this frame.");
+		return Observation.without(frame, FrameStatus.LOST, Observation.NOT_FOUND);
 	}
 
 	/** @return the frame as one whose skeleton gives no contour */
