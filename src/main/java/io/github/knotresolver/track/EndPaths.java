@@ -34,6 +34,11 @@ final class EndPaths {
 		Point beyond(final double by) {
 			return new Point(at.x() + by * Math.cos(outward), at.y() + by * Math.sin(outward));
 		}
+
+		/** The same with so many times its vote. */
+		private End counted(final double times) {
+			return new End(frame, at, outward, times * vote);
+		}
 	}
 
 	/**
@@ -72,7 +77,8 @@ final class EndPaths {
 	}
 
 	/**
-	 * The best path that passes a place.
+	 * The best path that passes a place. Ends near it count more: where the end itself is not seen in
+	 * some frames, another one that sweeps through the picture may be seen in more.
 	 *
 	 * @param ends in order of time
 	 * @param place in pixels
@@ -83,12 +89,15 @@ final class EndPaths {
 	static Optional<EndPath> past(final List<End> ends, final Point place, final double reach,
 		final Progress progress) {
 		final List<Integer> near = new ArrayList<>();
+		final List<End> weighed = new ArrayList<>(ends);
 		for (int e = 0; e < ends.size(); e++)
-			if (ends.get(e).at.distanceTo(place) <= reach)
+			if (ends.get(e).at.distanceTo(place) <= reach) {
 				near.add(e);
+				weighed.set(e, ends.get(e).counted(TrackTuning.AT_PLACE));
+			}
 		if (near.isEmpty())
 			return Optional.empty();
-		final Links links = new Links(ends, progress);
+		final Links links = new Links(weighed, progress);
 		return near.stream().max(Comparator.comparingDouble(links::total)).map(links::through);
 	}
 

@@ -176,6 +176,12 @@ final class TrackTuning {
 	 */
 	static final double END_STEP = 5;
 
+	/**
+	 * [1] Ends near the place of the fixed end count so many times. Why: that end is missed in some
+	 * frames, in which another one that passes by is seen.
+	 */
+	static final double AT_PLACE = 2;
+
 	/** [ends] A path goes on from one of the last so many ends. Why: it bounds the work. */
 	static final int END_MEMORY = 600;
 
