@@ -279,7 +279,7 @@ class BatchSubcommandTest {
 		assertFalse(Files.exists(out));
 		final List<String> plan = stdout.toString().lines().toList();
 		assertEquals("row,megabytes,movie", plan.get(0));
-		assertTrue(plan.get(1).matches("1,66,\".*a.tif\""), plan.get(1));
+		assertTrue(plan.get(1).matches("1,65,\".*a.tif\""), plan.get(1));
 		assertEquals(1, run(sheet, "--collect"));
 		assertTrue(stderr.toString().contains("a.tif: failed. There is no result"),
 			stderr.toString());

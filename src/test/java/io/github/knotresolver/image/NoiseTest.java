@@ -26,20 +26,6 @@ class NoiseTest {
 	}
 
 	@Test
-	void neighboursThatShareTheirNoiseDoNotHideIt() {
-		final Random random = new Random(13);
-		final float[] white = new float[WIDTH * HEIGHT];
-		for (int i = 0; i < white.length; i++)
-			white[i] = (float) random.nextGaussian();
-		final float[] shared = GaussianBlur.blur(white, WIDTH, 1.5);
-		final double[] pixels = new double[white.length];
-		for (int i = 0; i < pixels.length; i++)
-			pixels[i] = 20 * shared[i];
-		final double sd = Math.sqrt(Arrays.stream(pixels).map(v -> v * v).sum() / pixels.length);
-		assertEquals(1, PixelNoise.of(pixels, WIDTH) / sd, 0.25);
-	}
-
-	@Test
 	void blurKeepsLightAndSpreadsAPoint() {
 		final float[] point = new float[WIDTH * HEIGHT];
 		point[20 * WIDTH + 30] = 100;
