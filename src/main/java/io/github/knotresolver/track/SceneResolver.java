@@ -84,11 +84,7 @@ public final class SceneResolver {
 		final SceneLine line = SceneLine.learn(frames, kinds, workers, progress);
 		final SceneWeights weights = SceneWeights.DEFAULT;
 		final SceneSeeds looks = new SceneSeeds(line, weights);
-		final List<SceneSeed> seeds = looks.all(workers, progress);
-		if (onlyScenes && LoneSeeds.areOfOneClamped(seeds,
-			SceneTuning.SCENE_SPECK * line.tables().model().sigma()))
-			return Optional.empty();
-		final List<Priced> passes = passes(line, weights, looks, seeds);
+		final List<Priced> passes = passes(line, weights, looks, looks.all(workers, progress));
 		if (passes.isEmpty())
 			return Optional.empty();
 		final List<Settled> followed = new TailExchanges(line, weights, progress)

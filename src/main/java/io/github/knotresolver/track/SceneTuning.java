@@ -654,27 +654,6 @@ final class SceneTuning {
 	/** [px] Its links are so long. Why: it can turn around within a line's width. */
 	static final double AGAIN_LINK = 1.5;
 
-	/** [share] One filament alone is seen in so many of the frames. Why: debris spoils some. */
-	static final double LONE_MOST = 0.75;
-
-	/** [frames] ... and in so many. Why: fewer do not show that an end stays. */
-	static final int LONE_FEWEST = 8;
-
-	/**
-	 * [px] Its held end is usually this near to its place. Why: seeds end within two pixels, and
-	 * fields drift.
-	 */
-	static final double LONE_USUALLY = 8;
-
-	/** [px] ... and in most frames so near. Why: some seeds end early. */
-	static final double LONE_MOSTLY = 16;
-
-	/**
-	 * [px] Its other end is in places that are so far apart. Why: an end that is held as well moves
-	 * by less.
-	 */
-	static final double LONE_FAR = 32;
-
 	/**
 	 * [px] What slides less from frame to frame may turn at either end. Why: errors of a fit are as
 	 * large.
