@@ -181,9 +181,9 @@ public final class FitResolver {
 		final Lengths length = Lengths.of(open, frames.size(),
 			told.isEmpty() && lengths == LengthModel.AUTO);
 		final FilamentEstimate settled = told.isPresent() ? estimate : length.settle(estimate);
-		return new Seen(frames,
-			new FilamentCourse(settled, anchor, length.course(settled.length(), frames.size()), 0,
-				endsFree.stiffness()),
+		return new Seen(
+			frames, new FilamentCourse(settled, anchor,
+				length.course(settled.length(), frames.size()), 0, endsFree.stiffness()),
 			anchor.isFromSkeletonsAlone(open));
 	}
 

@@ -50,7 +50,7 @@ final class Hiding {
 		if (scene.line().model().kind() == LineModel.Kind.ADDITIVE)
 			return Double.POSITIVE_INFINITY;
 		final Chain here = scene.chain(k), back = here.slid(-SceneTuning.VISIBLY_FAR),
-				ahead = here.slid(SceneTuning.VISIBLY_FAR);
+			ahead = here.slid(SceneTuning.VISIBLY_FAR);
 		scene.take(k);
 		final SceneWindow window = scene.window(List.of(here, back, ahead));
 		final double elsewhere = Math.min(light(window, back), light(window, ahead));

@@ -51,7 +51,7 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 
 	/** What lowers the confidence most, in words; empty if it is high. */
 	String reason() {
-		if (value() >= SceneTuning.SURE_ENOUGH)
+		if (value() >= Observation.SURE)
 			return "";
 		final double[] factors = factors();
 		int worst = 0;
@@ -80,7 +80,7 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 			cautious.add(here.contour().isEmpty() || least >= here.confidence()
 				? here
 				: here.withConfidence(least,
-					!here.reason().isEmpty() || least >= SceneTuning.SURE_ENOUGH
+					!here.reason().isEmpty() || least >= Observation.SURE
 						? here.reason()
 						: "Doubtful: the contour of a frame just before or after this one is."));
 		}

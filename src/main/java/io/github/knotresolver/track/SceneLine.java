@@ -167,7 +167,7 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		return around(Pixels.bits(frames.get(t).mask()), frames.get(t).light().width());
 	}
 
-	/** The pixels within 3 columns and rows of a set pixel. */
+	/** The pixels near a set pixel, across and down. */
 	private static boolean[] around(final boolean[] set, final int width) {
 		final boolean[] near = new boolean[set.length];
 		final int height = set.length / width;

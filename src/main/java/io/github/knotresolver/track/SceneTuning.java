@@ -121,12 +121,6 @@ final class SceneTuning {
 	static final double DARK_LIGHT = 0.35;
 
 	/**
-	 * [probability] From this on nothing is said of a contour. Why: it is what a person does not
-	 * look at again.
-	 */
-	static final double SURE_ENOUGH = 0.9;
-
-	/**
 	 * [frames] A contour is no surer than those of so many frames before and after it. Why:
 	 * identities are exchanged for longer than one frame.
 	 */

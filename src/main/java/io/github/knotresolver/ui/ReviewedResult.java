@@ -118,8 +118,7 @@ public final class ReviewedResult implements AutoCloseable {
 		live.session().requireSamePixels();
 		return new ReviewedResult(live.texts(), ImageSource.of(image),
 			ReviewModel.live(live.tracks(), live.session()),
-			live.folder().map(f -> f.toAbsolutePath().normalize()),
-			Optional.of(live.session()));
+			live.folder().map(f -> f.toAbsolutePath().normalize()), Optional.of(live.session()));
 	}
 
 	/** @return the folder, absolute; empty as long as the result was never written */

@@ -25,7 +25,6 @@ class RobustLineTest {
 	@Test
 	void fewValuesAreLevel() {
 		assertEquals(new RobustLine(0, 0), RobustLine.through(new double[0], new double[0]));
-		assertEquals(new RobustLine(5, 0),
-			RobustLine.through(new double[]{7}, new double[]{5}));
+		assertEquals(new RobustLine(5, 0), RobustLine.through(new double[]{7}, new double[]{5}));
 	}
 }

@@ -73,9 +73,7 @@ class EndPathsTest {
 	/** A filament that contracts towards its clamp, of which the skeletons miss the end now and then. */
 	@Test
 	void theEndAtThePlaceGoesBeforeATipThatComesNear() {
-		final IntFunction<Point> clamp = t -> t % 2 == 1
-			? null
-			: new Point(20 + t / 2 % 2, 50),
+		final IntFunction<Point> clamp = t -> t % 2 == 1 ? null : new Point(20 + t / 2 % 2, 50),
 			tip = t -> new Point(29 + 2.4 * (FRAMES - 1 - t), 50);
 		assertFollows(clamp, EndPaths
 			.past(ends(List.of(tip, clamp)), new Point(21, 50), 8, Progress.NONE).orElseThrow(),

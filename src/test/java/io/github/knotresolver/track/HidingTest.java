@@ -105,11 +105,9 @@ class HidingTest {
 		Arrays.fill(clear[0], true);
 		Arrays.fill(clear[1], true);
 		Arrays.fill(sure, 100);
-		final List<Observation> found = SceneTracks
-			.of(new SceneLine(line, frames, 0.05),
-				List.of(new Settled(longs, sure, 0), new Settled(shorts, sure, 0)), clear,
-				AnchorChoice.FREE)
-			.filaments().get(1).frames();
+		final List<Observation> found = SceneTracks.of(new SceneLine(line, frames, 0.05),
+			List.of(new Settled(longs, sure, 0), new Settled(shorts, sure, 0)), clear,
+			AnchorChoice.FREE).filaments().get(1).frames();
 		assertTrue(found.get(0).confidence() > 0.95, found.get(0).toString());
 		assertTrue(found.get(FRAMES - 1).confidence() < 0.5, found.get(FRAMES - 1).toString());
 		assertTrue(found.get(FRAMES - 1).reason().contains("another course"),

@@ -28,7 +28,6 @@ import io.github.knotresolver.imagej.TestImages;
 import io.github.knotresolver.io.CorrectionsCsv;
 import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
-import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.run.ResolveRun;
@@ -125,13 +124,9 @@ class ReviewedResultTest {
 	@Test
 	void aResultInMemoryIsReviewedAtOnceAndWrittenToANewFolder() throws Exception {
 		final ImagePlus image = ImageFile.open(movie);
-		final KeptSession session = new KeptSession(image);
-		final Map<String, String> texts = Map.of("frames", "1-5", "threads", "2", "region", "");
-		final Tracks tracks = ResolveRun.of(texts).read(ImageSource.of(image), Progress.NONE)
-			.resolve(session, ResultSink.NONE, Progress.NONE).result().tracks();
+		final LiveResult live = live(image, Map.of("frames", "1-5", "threads", "2", "region", ""));
 		final Path fresh = home.resolve("new/fresh");
-		try (ReviewedResult review = ReviewedResult
-			.of(new LiveResult(tracks, session, texts, Optional.empty()), image)) {
+		try (ReviewedResult review = ReviewedResult.of(live, image)) {
 			assertTrue(review.model().isReady());
 			review.model().goTo(3);
 			review.model().refuse();
@@ -157,11 +152,7 @@ class ReviewedResultTest {
 	@Test
 	void pixelsThatWereEditedSinceAreNoticedUntilTheyAreAsBefore() throws Exception {
 		final ImagePlus image = ImageFile.open(movie);
-		final KeptSession session = new KeptSession(image);
-		final Map<String, String> texts = Map.of("frames", "1-5", "threads", "2");
-		final Tracks tracks = ResolveRun.of(texts).read(ImageSource.of(image), Progress.NONE)
-			.resolve(session, ResultSink.NONE, Progress.NONE).result().tracks();
-		final LiveResult live = new LiveResult(tracks, session, texts, Optional.empty());
+		final LiveResult live = live(image, Map.of("frames", "1-5", "threads", "2"));
 		final Path fresh = home.resolve("fresh");
 		try (ReviewedResult review = ReviewedResult.of(live, image)) {
 			review.chooseFolder(fresh);
@@ -170,7 +161,7 @@ class ReviewedResultTest {
 			pixels.set(7, 9, before + 1);
 			review.model().goTo(3);
 			review.model().refuse();
-			assertEquals(tracks, review.model().atRest());
+			assertEquals(live.tracks(), review.model().atRest());
 			final String said = review.model().problem().orElseThrow();
 			assertTrue(said.contains("were changed since it was resolved"), said);
 			assertEquals(List.of(), review.model().said());
@@ -191,11 +182,7 @@ class ReviewedResultTest {
 	@Test
 	void correctionsCanBeSavedWhenTheImageWasClosedMeanwhile() throws Exception {
 		final ImagePlus image = ImageFile.open(movie);
-		final KeptSession session = new KeptSession(image);
-		final Map<String, String> texts = Map.of("frames", "1-5", "threads", "2");
-		final Tracks tracks = ResolveRun.of(texts).read(ImageSource.of(image), Progress.NONE)
-			.resolve(session, ResultSink.NONE, Progress.NONE).result().tracks();
-		final LiveResult live = new LiveResult(tracks, session, texts, Optional.empty());
+		final LiveResult live = live(image, Map.of("frames", "1-5", "threads", "2"));
 		final Path fresh = home.resolve("fresh");
 		try (ReviewedResult review = ReviewedResult.of(live, image)) {
 			review.chooseFolder(fresh);
@@ -240,5 +227,15 @@ class ReviewedResultTest {
 		final String sentence = assertThrows(UserException.class,
 			() -> ReviewedResult.open(folder, Progress.NONE)).getMessage();
 		assertTrue(sentence.contains(words), sentence);
+	}
+
+	/** What a run has just found in an image. */
+	private static LiveResult live(final ImagePlus image, final Map<String, String> texts)
+		throws IOException {
+		final KeptSession session = new KeptSession(image);
+		return new LiveResult(
+			ResolveRun.of(texts).read(ImageSource.of(image), Progress.NONE)
+				.resolve(session, ResultSink.NONE, Progress.NONE).result().tracks(),
+			session, texts, Optional.empty());
 	}
 }
