@@ -57,6 +57,14 @@ public final class ImageSource implements MovieSource {
 		return new ImageSource(progress -> image, ImageFile.of(image));
 	}
 
+	/**
+	 * @param image an image
+	 * @return the movie in it, whatever its file; no disk is asked
+	 */
+	public static ImageSource inMemory(final ImagePlus image) {
+		return new ImageSource(progress -> image, Optional.empty());
+	}
+
 	@Override
 	public Movie read(final InputOptions options, final Progress progress) {
 		final ImagePlus image = opener.apply(progress);

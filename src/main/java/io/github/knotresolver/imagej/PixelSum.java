@@ -2,6 +2,7 @@ package io.github.knotresolver.imagej;
 
 import java.lang.reflect.Array;
 import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.util.zip.CRC32C;
 
 import ij.ImagePlus;
@@ -34,7 +35,9 @@ public record PixelSum(ImagePlus image, long sum) {
 
 	private static long sum(final ImagePlus image) {
 		final CRC32C crc = new CRC32C();
-		final ByteBuffer chunk = ByteBuffer.allocate(Float.BYTES * CHUNK);
+		// In the order of the machine, numbers are copied as they are.
+		final ByteBuffer chunk = ByteBuffer.allocate(Float.BYTES * CHUNK)
+			.order(ByteOrder.nativeOrder());
 		for (final int size : new int[]{image.getWidth(), image.getHeight(), image.getStackSize(),
 			image.getBitDepth()})
 			chunk.putInt(size);

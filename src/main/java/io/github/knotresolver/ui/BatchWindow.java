@@ -74,6 +74,7 @@ public final class BatchWindow {
 			@Override
 			public void windowClosed(final WindowEvent e) {
 				inTurn = false;
+				table.close();
 				WindowManager.removeWindow(frame);
 			}
 		});

@@ -22,7 +22,7 @@ final class LookLayer implements AutoCloseable {
 
 	LookLayer(final ImagePlus image) {
 		this.image = image;
-		source = ImageSource.of(image);
+		source = ImageSource.inMemory(image);
 		places = RoiConverter.forImage(image, image.getC());
 		before = image.getOverlay();
 	}

@@ -41,6 +41,7 @@ final class OutcomesTable extends JTable {
 	private final transient BatchTable outcomes;
 	private final transient Map<Integer, BufferedImage> pictures = new HashMap<>();
 	private final Cells cells = new Cells();
+	private volatile boolean closed;
 
 	OutcomesTable(final BatchTable outcomes) {
 		this.outcomes = outcomes;
@@ -73,8 +74,13 @@ final class OutcomesTable extends JTable {
 
 	/** Reads the pictures of all rows, one after the other, and shows each when it is there. */
 	void readPictures() {
-		for (int row = 0; row < outcomes.size(); row++)
+		for (int row = 0; row < outcomes.size() && !closed; row++)
 			readPicture(row);
+	}
+
+	/** No more pictures are read. */
+	void close() {
+		closed = true;
 	}
 
 	private void readPicture(final int row) {

@@ -25,8 +25,12 @@ import io.github.knotresolver.imagej.ImageMovie;
 import io.github.knotresolver.imagej.ImageSelection;
 import io.github.knotresolver.imagej.ImageSource;
 import io.github.knotresolver.imagej.form.FormField;
+import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.options.RunOptions;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.MovieSource;
 import io.github.knotresolver.ui.model.PreviewModel;
 
 /**
@@ -43,7 +47,7 @@ public final class PreviewBox implements FormCompanion, ImageListener, RoiListen
 	private final JCheckBox box = new JCheckBox("Preview");
 	private final Sentences line = new Sentences(), checks = new Sentences();
 	private Optional<LookLayer> layer = Optional.empty();
-	private Optional<ImageSource> file = Optional.empty();
+	private Optional<NamedFile> file = Optional.empty();
 	private Map<String, String> texts = Map.of();
 	private Runnable resized = () -> {
 	};
@@ -114,7 +118,6 @@ public final class PreviewBox implements FormCompanion, ImageListener, RoiListen
 		ask(layer.get().source(), () -> options(image), ImageLink.frame(image));
 	}
 
-	/** Only a file that is there; folders of frames may be large, and are named on the way to a file. */
 	private void askFile(final String name) {
 		final Path path;
 		try {
@@ -124,21 +127,36 @@ public final class PreviewBox implements FormCompanion, ImageListener, RoiListen
 			say("There is no file " + name + ".");
 			return;
 		}
-		if (!Files.isRegularFile(path)) {
+		if (file.flatMap(NamedFile::file).filter(path::equals).isEmpty()) {
 			stop();
-			say(Files.isDirectory(path)
-				? "The preview looks at files and open images; OK opens the folder."
-				: "There is no file " + name + ".");
-			return;
-		}
-		if (file.flatMap(ImageSource::file).filter(path::equals).isEmpty()) {
-			stop();
-			file = Optional.of(ImageSource.kept(path));
+			file = Optional.of(new NamedFile(ImageSource.kept(path)));
 		}
 		ask(file.get(), () -> RunOptions.parse(known()), 1);
 	}
 
-	private void ask(final ImageSource source, final Supplier<RunOptions> options,
+	/**
+	 * The movie in a file that is there, looked for when it is read: a disk may be slow. Folders of
+	 * frames may be large, and are named on the way to a file.
+	 */
+	private record NamedFile(ImageSource source) implements MovieSource {
+
+		@Override
+		public Movie read(final InputOptions options, final Progress progress) {
+			final Path path = source.file().orElseThrow();
+			if (!Files.isRegularFile(path))
+				throw new UserException(Files.isDirectory(path)
+					? "The preview looks at files and open images; OK opens the folder."
+					: "There is no file " + path + ".");
+			return source.read(options, progress);
+		}
+
+		@Override
+		public Optional<Path> file() {
+			return source.file();
+		}
+	}
+
+	private void ask(final MovieSource source, final Supplier<RunOptions> options,
 		final int frame) {
 		try {
 			model.ask(new PreviewModel.Question(source, options.get(), frame));

@@ -78,6 +78,15 @@ class BatchWindowTest {
 		});
 	}
 
+	@Test
+	void afterTheWindowIsClosedNoPictureIsRead() throws Exception {
+		final OutcomesTable shown = new OutcomesTable(table());
+		shown.close();
+		shown.readPictures();
+		SwingUtilities
+			.invokeAndWait(() -> assertNull(shown.getValueAt(0, BatchTable.PICTURE)));
+	}
+
 	private static double ratio(final BufferedImage picture) {
 		return (double) picture.getWidth() / picture.getHeight();
 	}
