@@ -7,8 +7,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
-import org.apache.commons.math3.stat.descriptive.rank.Median;
-
 import io.github.knotresolver.fit.LineEstimator.Estimate;
 import io.github.knotresolver.fit.LineEstimator.Example;
 import io.github.knotresolver.geometry.Point;
@@ -109,7 +107,8 @@ public final class FilamentEstimator {
 	}
 
 	private static double usualLength(final List<Example> examples) {
-		return median(examples.stream().mapToDouble(e -> e.chain().length()).toArray());
+		return RobustStatistics
+			.median(examples.stream().mapToDouble(e -> e.chain().length()).toArray());
 	}
 
 	private static Estimate line(final List<Example> examples, final LineModel.Kind kind,
@@ -158,26 +157,21 @@ public final class FilamentEstimator {
 	}
 
 	private static FilamentEstimate summary(final List<Example> examples, final Estimate line) {
-		final double[] lengths = examples.stream().mapToDouble(e -> e.chain().length()).sorted()
-			.toArray();
-		final double middle = median(lengths);
+		final double[] lengths = examples.stream().mapToDouble(e -> e.chain().length()).toArray();
+		final double middle = RobustStatistics.median(lengths);
 		final double[] good = Arrays.stream(lengths)
 			.filter(l -> Math.abs(l / middle - 1) < FitTuning.LENGTH_OUTLIER).toArray();
-		final double length = good.length == 0 ? middle : median(good);
-		final double[] off = Arrays.stream(good).map(l -> Math.abs(l - length)).sorted().toArray();
+		final double length = good.length == 0 ? middle : RobustStatistics.median(good);
+		final double[] off = Arrays.stream(good).map(l -> Math.abs(l - length)).toArray();
 		final double error = good.length < FitTuning.FEWEST_VOTES
 			? Double.NaN
-			: RobustStatistics.MAD_TO_SD * median(off) * RobustStatistics.MEDIAN_TO_MEAN_ERROR
-				/ Math.sqrt(good.length);
-		final double x = median(
-			examples.stream().mapToDouble(e -> e.chain().start().x()).sorted().toArray());
-		final double y = median(
-			examples.stream().mapToDouble(e -> e.chain().start().y()).sorted().toArray());
+			: RobustStatistics.MAD_TO_SD * RobustStatistics.median(off)
+				* RobustStatistics.MEDIAN_TO_MEAN_ERROR / Math.sqrt(good.length);
+		final double x = RobustStatistics
+			.median(examples.stream().mapToDouble(e -> e.chain().start().x()).toArray());
+		final double y = RobustStatistics
+			.median(examples.stream().mapToDouble(e -> e.chain().start().y()).toArray());
 		return new FilamentEstimate(line.model(), line.amplitude(), length, error, new Point(x, y));
-	}
-
-	private static double median(final double[] values) {
-		return new Median().evaluate(values);
 	}
 
 	/**

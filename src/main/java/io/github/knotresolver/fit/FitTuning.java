@@ -21,11 +21,6 @@ final class FitTuning {
 	static final double BLEACHED = 0.1;
 
 	/**
-	 * [frames] The rate is taken from so many frames at most. Why: all their pairs are looked at.
-	 */
-	static final int BLEACHING_FRAMES = 2000;
-
-	/**
 	 * [px] Distance of the knots of the profile along the filament. Why: dyes vary over more than
 	 * a micrometre; closer knots learn noise.
 	 */

@@ -1,5 +1,6 @@
 package io.github.knotresolver.geometry;
 
+import java.util.function.DoubleBinaryOperator;
 import java.util.stream.IntStream;
 
 /**
@@ -24,19 +25,34 @@ public record RobustLine(double start, double slope) {
 	 */
 	public static RobustLine through(final double[] at, final double[] values) {
 		final int n = values.length;
-		final int[] some = spread(n);
+		final double slope = n < 2
+			? 0
+			: RobustStatistics.median(slopes(at, values, (a, b) -> b - a));
+		final double[] left = new double[n];
+		for (int i = 0; i < n; i++)
+			left[i] = values[i] - slope * at[i];
+		return new RobustLine(n == 0 ? 0 : RobustStatistics.median(left), slope);
+	}
+
+	/**
+	 * The slopes between all pairs of values; of more than {@value #MOST}, only so many are paired.
+	 *
+	 * @param at where the values are, increasing
+	 * @param values one for each place
+	 * @param rise how much more the second of two values is
+	 * @return the slopes; none of fewer than two values
+	 */
+	public static double[] slopes(final double[] at, final double[] values,
+		final DoubleBinaryOperator rise) {
+		final int[] some = spread(values.length);
 		final double[] slopes = new double[some.length * (some.length - 1) / 2];
 		int count = 0;
 		for (int a = 0; a < some.length; a++)
 			for (int b = a + 1; b < some.length; b++) {
 				final int i = some[a], j = some[b];
-				slopes[count++] = (values[j] - values[i]) / (at[j] - at[i]);
+				slopes[count++] = rise.applyAsDouble(values[i], values[j]) / (at[j] - at[i]);
 			}
-		final double slope = count == 0 ? 0 : RobustStatistics.median(slopes);
-		final double[] left = new double[n];
-		for (int i = 0; i < n; i++)
-			left[i] = values[i] - slope * at[i];
-		return new RobustLine(n == 0 ? 0 : RobustStatistics.median(left), slope);
+		return slopes;
 	}
 
 	/** Indices of all values, or of some that are spread evenly. */

@@ -29,4 +29,15 @@ public final class RobustStatistics {
 			? Double.NaN
 			: 0.5 * (sorted[(sorted.length - 1) / 2] + sorted[sorted.length / 2]);
 	}
+
+	/**
+	 * @param values in any order; not changed
+	 * @param none the median of nothing
+	 * @return the middle one, or the larger of the two in the middle: always one of the values. O(n log n)
+	 */
+	public static double upperMedian(final double[] values, final double none) {
+		final double[] sorted = values.clone();
+		Arrays.sort(sorted);
+		return sorted.length == 0 ? none : sorted[sorted.length / 2];
+	}
 }

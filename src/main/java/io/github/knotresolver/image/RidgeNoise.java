@@ -2,6 +2,8 @@ package io.github.knotresolver.image;
 
 import java.util.Arrays;
 
+import io.github.knotresolver.geometry.RobustStatistics;
+
 /**
  * The noise of a filter's response, from place to place: in tiles, from a low quantile
  * of its magnitude, which filaments hardly touch since they cover less than the rest;
@@ -63,9 +65,7 @@ final class RidgeNoise {
 		for (int i = 0; i < tiles.length; i++)
 			tiles[i] = quantile(samples[i], counts[i]) / NORMAL;
 		final double[] calm = medians(tiles);
-		final double[] sorted = tiles.clone();
-		Arrays.sort(sorted);
-		final double middle = sorted[sorted.length / 2];
+		final double middle = RobustStatistics.upperMedian(tiles, 0);
 		final double least = Math.max(middle / ImageTuning.NOISE_FACTOR,
 			Math.max(ImageTuning.LEAST_NOISE * largest, 1e-9));
 		final double most = Math.max(middle * ImageTuning.NOISE_FACTOR, least);

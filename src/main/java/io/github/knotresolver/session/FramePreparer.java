@@ -13,6 +13,7 @@ import net.imglib2.type.numeric.real.FloatType;
 import org.apache.commons.math3.stat.descriptive.rank.Median;
 
 import io.github.knotresolver.fit.NormalizedFrame;
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.image.ContrastStretch;
 import io.github.knotresolver.image.FrameCleaner;
@@ -120,8 +121,8 @@ final class FramePreparer {
 	/** The frame above its background; pixels without a value are taken for background. */
 	NormalizedFrame light(final int frame) {
 		final double[] pixels = Pixels.doubles(movie.frame(frame - 1));
-		final double[] sorted = Arrays.stream(pixels).filter(Double::isFinite).sorted().toArray();
-		final double background = sorted.length == 0 ? 0 : sorted[sorted.length / 2];
+		final double background = RobustStatistics
+			.upperMedian(Arrays.stream(pixels).filter(Double::isFinite).toArray(), 0);
 		for (int i = 0; i < pixels.length; i++)
 			pixels[i] = Double.isFinite(pixels[i]) ? pixels[i] - background : 0;
 		return new NormalizedFrame(movie.width(), movie.height(), pixels);

@@ -18,6 +18,7 @@ import io.github.knotresolver.contour.ContourBuilder;
 import io.github.knotresolver.geometry.GaussianSmoothing;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.mask.ConnectedComponents;
@@ -108,8 +109,7 @@ record LookPlace(Movie movie, WorkingPixels pixels) {
 		final double[] values = new double[curve.size()];
 		for (int i = 0; i < values.length; i++)
 			values[i] = value.applyAsDouble(pixels.out(curve.point(i)));
-		Arrays.sort(values);
-		return values[values.length / 2];
+		return RobustStatistics.upperMedian(values, 0);
 	}
 
 	private Img<BitType> enlarged(final Img<BitType> mask) {

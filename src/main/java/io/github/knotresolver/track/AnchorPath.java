@@ -145,13 +145,9 @@ record AnchorPath(List<Point> places, double[] weights) {
 	}
 
 	private static Point middle(final List<Point> all) {
-		return new Point(median(all.stream().mapToDouble(Point::x).toArray()),
-			median(all.stream().mapToDouble(Point::y).toArray()));
-	}
-
-	private static double median(final double[] values) {
-		Arrays.sort(values);
-		return values[values.length / 2];
+		return new Point(
+			RobustStatistics.upperMedian(all.stream().mapToDouble(Point::x).toArray(), Double.NaN),
+			RobustStatistics.upperMedian(all.stream().mapToDouble(Point::y).toArray(), Double.NaN));
 	}
 
 	private AnchorPath walk(final List<Seen> seen) {

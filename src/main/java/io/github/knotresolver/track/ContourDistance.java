@@ -6,6 +6,7 @@ import java.util.List;
 import io.github.knotresolver.contour.DynamicTimeWarping;
 import io.github.knotresolver.contour.EqualArcDistance;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 
@@ -53,10 +54,8 @@ public final class ContourDistance implements EdgePrice {
 	/** Median distance of the most likely contour of a frame to the nearest of the next. */
 	private double typical() {
 		final double[] moved = Arrays.stream(fromFrame).filter(m -> m.length > 0 && m[0].length > 0)
-			.mapToDouble(m -> Arrays.stream(m[0]).min().orElseThrow()).sorted().toArray();
-		return moved.length == 0
-			? TrackTuning.SKELETON_NOISE
-			: Math.max(TrackTuning.SKELETON_NOISE, moved[moved.length / 2]);
+			.mapToDouble(m -> Arrays.stream(m[0]).min().orElseThrow()).toArray();
+		return Math.max(TrackTuning.SKELETON_NOISE, RobustStatistics.upperMedian(moved, 0));
 	}
 
 	/**

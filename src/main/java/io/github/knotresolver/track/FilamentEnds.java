@@ -1,12 +1,12 @@
 
 package io.github.knotresolver.track;
 
-import java.util.Arrays;
 import java.util.List;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.model.AnchorChoice;
 
 /**
@@ -142,8 +142,6 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid, boolean roam
 	}
 
 	private static double median(final double[] values) {
-		final double[] sorted = values.clone();
-		Arrays.sort(sorted);
-		return sorted.length == 0 ? 0 : sorted[sorted.length / 2];
+		return RobustStatistics.upperMedian(values, 0);
 	}
 }

@@ -5,6 +5,7 @@ import java.util.Optional;
 
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitQuality;
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.model.Observation;
 
 /**
@@ -24,8 +25,8 @@ record FitConfidence(double usualMisfit) {
 
 	static FitConfidence learn(final List<Optional<FitQuality>> quality) {
 		final double[] misfits = quality.stream().flatMap(Optional::stream)
-			.mapToDouble(FitQuality::misfit).sorted().toArray();
-		return new FitConfidence(misfits.length == 0 ? 1 : misfits[misfits.length / 2]);
+			.mapToDouble(FitQuality::misfit).toArray();
+		return new FitConfidence(RobustStatistics.upperMedian(misfits, 1));
 	}
 
 	/** @return whether a fit differs visibly from all of some */

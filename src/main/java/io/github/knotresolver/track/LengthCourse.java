@@ -66,6 +66,11 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 		return sorted[sorted.length - 1] / sorted[0] - 1 > TrackTuning.LENGTH_CHANGE;
 	}
 
+	/** The shortest that a course may be, of lengths that were seen: a tenth of the least. */
+	static double least(final double[] seen) {
+		return 0.1 * Arrays.stream(seen).min().orElse(1);
+	}
+
 	/** Length in a frame in pixels. */
 	double of(final int index) {
 		return lengths[index];
@@ -229,10 +234,9 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 				Arrays.copyOfRange(known, from, to));
 		}
 
-		/** Lengths never fall below a tenth of the least that was seen. */
 		private double[] fill(final double[] lengths, final int from, final int to,
 			final RobustLine line) {
-			final double least = 0.1 * Arrays.stream(known).min().orElse(1);
+			final double least = least(known);
 			for (int t = from; t < to; t++)
 				lengths[t] = Math.max(least, line.at(t));
 			return lengths;

@@ -5,8 +5,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 
-import org.apache.commons.math3.stat.descriptive.rank.Median;
-
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.graph.GraphTuning;
@@ -58,17 +56,13 @@ public final class LengthEstimator {
 	 *         median of all
 	 */
 	static double robustMedian(final double[] values) {
-		final double median = median(values);
-		final double spread = RobustStatistics.MAD_TO_SD
-			* median(Arrays.stream(values).map(v -> Math.abs(v - median)).toArray());
+		final double median = RobustStatistics.median(values);
+		final double spread = RobustStatistics.MAD_TO_SD * RobustStatistics
+			.median(Arrays.stream(values).map(v -> Math.abs(v - median)).toArray());
 		final double tolerance = Math.max(TrackTuning.SKELETON_OUTLIER * spread,
 			TrackTuning.SKELETON_TOLERANCE * median);
-		return median(
-			Arrays.stream(values).filter(v -> Math.abs(v - median) <= tolerance).toArray());
-	}
-
-	private static double median(final double[] values) {
-		return new Median().evaluate(values);
+		return RobustStatistics
+			.median(Arrays.stream(values).filter(v -> Math.abs(v - median) <= tolerance).toArray());
 	}
 
 	private static boolean endsNear(final SkeletonGraph graph, final Point fixedEnd) {

@@ -84,7 +84,7 @@ record LengthPhases(double[] lengths, int turns) {
 	private static double[] drawn(final int[] seen, final double[] calm, final int frames,
 		final List<Integer> knots) {
 		final double[] lengths = new double[frames];
-		final double least = 0.1 * Arrays.stream(calm).min().orElse(1);
+		final double least = LengthCourse.least(calm);
 		int p = 1;
 		for (int t = 0; t < frames; t++) {
 			while (p + 1 < knots.size() && t >= seen[knots.get(p)])

@@ -1,6 +1,5 @@
 package io.github.knotresolver.track;
 
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -8,6 +7,7 @@ import java.util.stream.IntStream;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Fit;
+import io.github.knotresolver.geometry.RobustStatistics;
 
 /**
  * What it costs a filament to move from one frame to the next: how much farther than
@@ -39,13 +39,9 @@ record MotionPrice(double usualMotion, double usualTurn) {
 			motion[t] = best.get(t).distance(best.get(t + 1));
 			turn[t] = best.get(t).turn(best.get(t + 1));
 		}
-		return new MotionPrice(Math.max(TrackTuning.LEAST_MOTION, median(motion)),
-			Math.max(TrackTuning.LEAST_TURN, median(turn)));
-	}
-
-	private static double median(final double[] values) {
-		Arrays.sort(values);
-		return values.length == 0 ? 0 : values[values.length / 2];
+		return new MotionPrice(
+			Math.max(TrackTuning.LEAST_MOTION, RobustStatistics.upperMedian(motion, 0)),
+			Math.max(TrackTuning.LEAST_TURN, RobustStatistics.upperMedian(turn, 0)));
 	}
 
 	/**

@@ -3,6 +3,8 @@ package io.github.knotresolver.track;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 
+import io.github.knotresolver.geometry.RobustStatistics;
+
 /**
  * A quantity that is known in some frames and wanders from each frame to the next by
  * random steps, whose usual size is learned: none for what stays, small for a drift, large
@@ -78,9 +80,9 @@ record RandomWalk(double[] mean, double[] sd) {
 
 	/** Of the known values from one on. */
 	private static double median(final double[] seen, final int[] known, final int from) {
-		final double[] some = Arrays.stream(known, from, from + TrackTuning.JUMP_WINDOW)
-			.mapToDouble(t -> seen[t]).sorted().toArray();
-		return some[some.length / 2];
+		return RobustStatistics
+			.upperMedian(Arrays.stream(known, from, from + TrackTuning.JUMP_WINDOW)
+				.mapToDouble(t -> seen[t]).toArray(), 0);
 	}
 
 	/** Forwards and backwards through time, with given steps. */

@@ -17,6 +17,7 @@ import io.github.knotresolver.fit.LineTables;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
@@ -36,8 +37,8 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		final int rim = curve.size() > 4 * SceneTuning.LINE_RIM ? SceneTuning.LINE_RIM : 0;
 		final double[] values = IntStream.range(rim, curve.size() - rim)
 			.mapToDouble(i -> light.meanAround(curve.x(i), curve.y(i))).filter(Double::isFinite)
-			.sorted().toArray();
-		return values.length == 0 ? 0 : values[values.length / 2] / SceneTuning.MEAN_OF_RIDGE;
+			.toArray();
+		return RobustStatistics.upperMedian(values, 0) / SceneTuning.MEAN_OF_RIDGE;
 	}
 
 	/**

@@ -2,7 +2,6 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
@@ -10,6 +9,7 @@ import java.util.Optional;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 
@@ -80,8 +80,7 @@ record ScenePass(int start, List<List<Chain>> chains) {
 		final double[] motion = new double[Math.max(0, chains.size() - 1)];
 		for (int t = 0; t < motion.length; t++)
 			motion[t] = chains.get(t).get(k).distance(chains.get(t + 1).get(k));
-		Arrays.sort(motion);
-		return motion.length == 0 ? 0 : motion[motion.length / 2];
+		return RobustStatistics.upperMedian(motion, 0);
 	}
 
 	/** For each filament and frame whether the light around it is explained. */
@@ -112,11 +111,14 @@ record ScenePass(int start, List<List<Chain>> chains) {
 		double nearest = SceneTuning.PLACE_NEAR;
 		int which = -1;
 		for (int k = 0; k < filaments(); k++) {
-			final double[] distances = filament(k).stream().mapToDouble(
-				c -> Math.min(c.start().distanceTo(place), c.polyline().last().distanceTo(place)))
-				.sorted().toArray();
-			if (distances[distances.length / 2] < nearest) {
-				nearest = distances[distances.length / 2];
+			final double distance = RobustStatistics.upperMedian(
+				filament(k).stream()
+					.mapToDouble(c -> Math.min(c.start().distanceTo(place),
+						c.polyline().last().distanceTo(place)))
+					.toArray(),
+				Double.POSITIVE_INFINITY);
+			if (distance < nearest) {
+				nearest = distance;
 				which = k;
 			}
 		}

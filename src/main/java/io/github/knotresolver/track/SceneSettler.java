@@ -2,11 +2,11 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -112,8 +112,6 @@ final class SceneSettler {
 		final double[] motion = new double[Math.max(0, chains.size() - 1)];
 		for (int t = 0; t < motion.length; t++)
 			motion[t] = chains.get(t).distance(chains.get(t + 1));
-		Arrays.sort(motion);
-		return Math.max(SceneTuning.SETTLE_LEAST,
-			motion.length == 0 ? 0 : motion[motion.length / 2]);
+		return Math.max(SceneTuning.SETTLE_LEAST, RobustStatistics.upperMedian(motion, 0));
 	}
 }

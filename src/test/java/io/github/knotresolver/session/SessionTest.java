@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+import io.github.knotresolver.CancelledProgress;
 import io.github.knotresolver.fit.DrawnMovie;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.geometry.Point;
@@ -164,19 +165,8 @@ class SessionTest {
 	@Test
 	void aSessionThatWasStoppedCanBeAskedAgain() {
 		final Session other = new Session(drawn.movie(), SETTINGS);
-		final int[] asked = {0};
-		final Progress impatient = new Progress() {
-
-			@Override
-			public void report(final String stage, final double fraction) {
-			}
-
-			@Override
-			public synchronized boolean isCancelled() {
-				return ++asked[0] > 60;
-			}
-		};
-		assertThrows(CancelledException.class, () -> other.solve(List.of(), impatient));
+		assertThrows(CancelledException.class,
+			() -> other.solve(List.of(), new CancelledProgress(60)));
 		assertSame(silent, other.solve(List.of(), Progress.NONE));
 	}
 }

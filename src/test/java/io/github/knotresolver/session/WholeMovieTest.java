@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
+import io.github.knotresolver.CancelledProgress;
 import io.github.knotresolver.contour.DiscreteFrechet;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.DrawnMovie;
@@ -262,20 +263,8 @@ class WholeMovieTest {
 	void cancelsInTheMiddle() {
 		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(6, LENGTH, KNOTTED), List.of(),
 			GAUSSIAN, NOISE, 29);
-		final int[] asked = {0};
-		final Progress impatient = new Progress() {
-
-			@Override
-			public void report(final String stage, final double fraction) {
-			}
-
-			@Override
-			public synchronized boolean isCancelled() {
-				return ++asked[0] > 40;
-			}
-		};
-		assertThrows(CancelledException.class,
-			() -> new Session(drawn.movie(), Settings.DEFAULT).solve(List.of(), impatient));
+		assertThrows(CancelledException.class, () -> new Session(drawn.movie(), Settings.DEFAULT)
+			.solve(List.of(), new CancelledProgress(40)));
 	}
 
 	private static void assertMessage(final DrawnMovie drawn, final Settings parameters,

@@ -83,8 +83,7 @@ class BatchWindowTest {
 		final OutcomesTable shown = new OutcomesTable(table());
 		shown.close();
 		shown.readPictures();
-		SwingUtilities
-			.invokeAndWait(() -> assertNull(shown.getValueAt(0, BatchTable.PICTURE)));
+		SwingUtilities.invokeAndWait(() -> assertNull(shown.getValueAt(0, BatchTable.PICTURE)));
 	}
 
 	private static double ratio(final BufferedImage picture) {
