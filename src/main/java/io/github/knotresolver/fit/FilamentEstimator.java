@@ -60,7 +60,7 @@ public final class FilamentEstimator {
 	private record Learned(List<Example> examples, Estimate line) {
 
 		boolean isLine() {
-			return line.isLine() && line.residual() < 1;
+			return FilamentEstimator.isLine(line);
 		}
 
 		/**
@@ -92,7 +92,8 @@ public final class FilamentEstimator {
 			examples = refit(examples, line, endsFree, round == 0, workers, progress);
 			line = line(examples, kind, line.model().sigma(), progress);
 		}
-		for (int round = 0; round < FitTuning.MOST_PROFILE_ROUNDS && line.isVisible(); round++) {
+		// Along what is no line, no profile is learned: nothing comes of it.
+		for (int round = 0; round < FitTuning.MOST_PROFILE_ROUNDS && isLine(line); round++) {
 			final double[] brightness = BrightnessProfile.estimate(examples, line);
 			if (brightness.length == 1)
 				break;
@@ -104,6 +105,11 @@ public final class FilamentEstimator {
 				break;
 		}
 		return new Learned(examples, line);
+	}
+
+	/** A profile along it changes nothing of this. */
+	private static boolean isLine(final Estimate line) {
+		return line.isLine() && line.residual() < 1;
 	}
 
 	private static double usualLength(final List<Example> examples) {
