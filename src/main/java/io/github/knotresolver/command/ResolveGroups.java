@@ -1,21 +1,40 @@
 package io.github.knotresolver.command;
 
-import io.github.knotresolver.imagej.form.FormGroups;
+import java.util.ArrayList;
+import java.util.List;
 
-/** How the dialog of {@link ResolveFilamentCommand} is divided. */
+import io.github.knotresolver.imagej.form.FormGroups;
+import io.github.knotresolver.imagej.form.FormGroups.Group;
+import io.github.knotresolver.options.Option;
+import io.github.knotresolver.options.ResolveOptions;
+import io.github.knotresolver.options.Section;
+
+/** How the dialog of {@link ResolveFilamentCommand} is divided: as the options are. */
 final class ResolveGroups {
 
-	/** What everyone meets, and the rest in the order in which data flows. */
-	static final FormGroups ALL = FormGroups
-		.basic("image", "movie", "filaments", "channel", "frames", "length", "out")
-		.and("Calibration", "pixel_size", "unit", "frame_interval", "z_as_time")
-		.and("Where to look", "fixed_end", "region", "ignore_frames", "corrections")
-		.and("From frame to mask", "polarity", "segmentation", "log_size", "log_sigma", "threshold",
-			"iterations", "contraction_bias", "smooth_factor")
-		.and("How contours are resolved", "anchor", "length_model", "candidates", "resolver",
-			"refine", "threads")
-		.and("What comes of it", "overlay", "roi_manager", "tables", "plots", "force");
+	/** What everyone meets. */
+	private static final List<String> BASIC = List.of("image", "movie", "filaments", "channel",
+		"frames", "length", "out");
+
+	/** What is done with a result is told to this Command alone. */
+	private static final List<String> RESULT = List.of("overlay", "roi_manager", "tables", "plots",
+		"force");
+
+	static final FormGroups ALL = all();
 
 	private ResolveGroups() {
+	}
+
+	private static FormGroups all() {
+		final List<Group> advanced = new ArrayList<>();
+		for (final Section section : Section.values()) {
+			final List<String> names = new ArrayList<>(
+				ResolveOptions.ALL.stream().filter(option -> option.section() == section)
+					.map(Option::key).filter(key -> !BASIC.contains(key)).toList());
+			if (section == Section.RUN)
+				names.addAll(RESULT);
+			advanced.add(new Group(section.heading(), names));
+		}
+		return new FormGroups(BASIC, advanced);
 	}
 }

@@ -1,7 +1,6 @@
 package io.github.knotresolver.imagej.form;
 
 import java.util.List;
-import java.util.stream.Stream;
 
 /**
  * How the fields of a form are put before a person: those that everyone meets, and the others in
@@ -31,23 +30,5 @@ public record FormGroups(List<String> basic, List<Group> advanced) {
 	public FormGroups {
 		basic = List.copyOf(basic);
 		advanced = List.copyOf(advanced);
-	}
-
-	/**
-	 * @param heading what the fields are about
-	 * @param names of the fields
-	 * @return these groups and one more
-	 */
-	public FormGroups and(final String heading, final String... names) {
-		return new FormGroups(basic, Stream
-			.concat(advanced.stream(), Stream.of(new Group(heading, List.of(names)))).toList());
-	}
-
-	/**
-	 * @param names of the fields that are seen at once
-	 * @return these fields, no others yet
-	 */
-	public static FormGroups basic(final String... names) {
-		return new FormGroups(List.of(names), List.of());
 	}
 }
