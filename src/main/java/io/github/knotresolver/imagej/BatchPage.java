@@ -2,6 +2,7 @@ package io.github.knotresolver.imagej;
 
 import java.awt.image.BufferedImage;
 import java.io.BufferedWriter;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.Writer;
 import java.net.URI;
@@ -9,9 +10,12 @@ import java.net.URISyntaxException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Base64;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
+
+import javax.imageio.ImageIO;
 
 import io.github.knotresolver.io.BatchList;
 import io.github.knotresolver.io.BatchOutcome;
@@ -116,7 +120,7 @@ final class BatchPage {
 		if (montage.isPresent())
 			html.write("<a href=\"" + link(name, MONTAGE)
 				+ "\"><img class=\"montage\" alt=\"Montage of " + text(name) + "\" src=\""
-				+ EmbeddedPicture.nearly(montage.get()) + "\" /></a>\n");
+				+ embedded(montage.get(), "jpeg") + "\" /></a>\n");
 		final Optional<ResultDigest> digest = ResultDigest.read(folder).filter(d -> d.frames() > 0);
 		if (digest.isPresent())
 			tables(digest.get());
@@ -127,10 +131,20 @@ final class BatchPage {
 		html.write("</p>\n");
 	}
 
+	/** A picture as text that a browser shows without another file: PNG to the pixel, JPEG in fewer bytes. */
+	private static String embedded(final BufferedImage picture, final String kind)
+		throws IOException {
+		final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+		if (!ImageIO.write(picture, kind, bytes))
+			throw new IOException("This Java cannot write " + kind + " pictures.");
+		return "data:image/" + kind + ";base64,"
+			+ Base64.getEncoder().encodeToString(bytes.toByteArray());
+	}
+
 	private void tables(final ResultDigest digest) throws IOException {
 		final BufferedImage strip = ConfidenceRows.of(digest);
 		html.write("<img class=\"strip\" style=\"height: " + (6 + 8 * strip.getHeight())
-			+ "px\" alt=\"Confidence of each frame\" src=\"" + EmbeddedPicture.exact(strip)
+			+ "px\" alt=\"Confidence of each frame\" src=\"" + embedded(strip, "png")
 			+ "\" />\n<p>" + digest.resolved() + " of " + digest.frames() + " frames, length "
 			+ text(digest.filaments().stream()
 				.map(f -> f.length().isEmpty() ? "not known" : f.length())

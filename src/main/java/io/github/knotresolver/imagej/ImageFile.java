@@ -55,7 +55,7 @@ public final class ImageFile {
 		if (Files.isDirectory(file))
 			return ImageFolder.open(file, progress);
 		try {
-			final QuietImageJ.Outcome<ImagePlus> opened = QuietImageJ
+			final QuietImageJ.Printed<ImagePlus> opened = QuietImageJ
 				.call(() -> read(file, progress), progress);
 			requireAll(file, opened.printed());
 			return opened.value();

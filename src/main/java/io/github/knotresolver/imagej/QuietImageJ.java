@@ -27,7 +27,7 @@ final class QuietImageJ {
 	 * @param value what it gave
 	 * @param printed what was printed meanwhile
 	 */
-	record Outcome<T>(T value, String printed) {
+	record Printed<T>(T value, String printed) {
 	}
 
 	private QuietImageJ() {
@@ -40,16 +40,16 @@ final class QuietImageJ {
 	 * @return what it gave and printed
 	 * @throws Exception what the work threw
 	 */
-	static <T> Outcome<T> call(final Callable<T> work, final Progress progress) throws Exception {
+	static <T> Printed<T> call(final Callable<T> work, final Progress progress) throws Exception {
 		if (!GraphicsEnvironment.isHeadless())
-			return new Outcome<>(patiently(work, progress), "");
+			return new Printed<>(patiently(work, progress), "");
 		final ByteArrayOutputStream printed = new ByteArrayOutputStream();
 		try (PrintStream own = new PrintStream(printed, true, StandardCharsets.UTF_8)) {
 			final T value = patiently(() -> {
 				ThreadPrinting.to(own);
 				return work.call();
 			}, progress);
-			return new Outcome<>(value, printed.toString(StandardCharsets.UTF_8));
+			return new Printed<>(value, printed.toString(StandardCharsets.UTF_8));
 		}
 	}
 

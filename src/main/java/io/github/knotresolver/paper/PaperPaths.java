@@ -45,9 +45,9 @@ final class PaperPaths {
 				paths.addAll(combined(via, last));
 		}
 		final Set<List<Step>> walks = new LinkedHashSet<>();
-		trace.flatMap(TemplateTrace::roughPath).flatMap(p -> LabelWalk.steps(first, p))
+		trace.flatMap(TemplateTrace::roughPath).flatMap(this::steps)
 			.ifPresent(walks::add);
-		kept(paths, keys).forEach(p -> walks.add(LabelWalk.steps(first, p).orElseThrow()));
+		kept(paths, keys).forEach(p -> walks.add(steps(p).orElseThrow()));
 		return walks;
 	}
 
@@ -57,7 +57,7 @@ final class PaperPaths {
 	}
 
 	private List<List<Contact>> legal(final List<List<Contact>> paths) {
-		return paths.stream().filter(p -> LabelWalk.steps(first, p).isPresent()).toList();
+		return paths.stream().filter(p -> steps(p).isPresent()).toList();
 	}
 
 	/** Paths from the start over a vertex to the last. */
@@ -69,7 +69,7 @@ final class PaperPaths {
 			for (final List<Contact> tail : simple.between(via, last)) {
 				final List<Contact> path = new ArrayList<>(head);
 				path.addAll(tail);
-				if (LabelWalk.steps(first, path).isEmpty())
+				if (steps(path).isEmpty())
 					continue;
 				if (found.size() == perCombination) {
 					limited = true;
@@ -89,6 +89,22 @@ final class PaperPaths {
 			return chosen;
 		final int most = chosen.stream().mapToInt(p -> visited(p).size()).max().orElse(0);
 		return chosen.stream().filter(p -> visited(p).size() == most).toList();
+	}
+
+	/** A path of the digraph as a walk over segments; empty if it turns back inside a segment. */
+	private Optional<List<Step>> steps(final List<Contact> path) {
+		final List<Step> steps = new ArrayList<>(List.of(first));
+		for (final Contact c : path) {
+			final Step current = steps.get(steps.size() - 1);
+			if (c.entersSegment()) {
+				final Step next = new Step(c.to().filament().orElseThrow(), c.atSource());
+				if (next.isReverseOf(current))
+					return Optional.empty();
+				steps.add(next);
+			} else if (c.atSource() == current.forward())
+				return Optional.empty();
+		}
+		return Optional.of(steps);
 	}
 
 	private Set<Label> visited(final List<Contact> path) {

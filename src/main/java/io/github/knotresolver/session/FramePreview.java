@@ -24,6 +24,8 @@ import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.skeleton.AppearanceFinder;
 import io.github.knotresolver.skeleton.EvidenceFinder;
 import io.github.knotresolver.skeleton.Skeletonize;
+import io.github.knotresolver.track.FixedEndFinder;
+import io.github.knotresolver.track.FrameView;
 
 /**
  * Single frames of a movie as the program sees them before anything is resolved, for a person who
@@ -195,8 +197,24 @@ public final class FramePreview {
 		}
 	}
 
+	/**
+	 * A quick guess whether there is one filament, clamped at one end, and where; the run itself looks
+	 * at the whole movie.
+	 */
 	private static Optional<Point> fixedEnd(final PreparedMovie prepared, final Progress progress) {
-		return LoneEnd.of(prepared.frames(), progress).map(prepared.pixels()::out);
+		final List<FrameView> frames = prepared.frames();
+		final long single = frames.stream().filter(f -> EvidenceNotes.objects(f) == 1).count();
+		return single == 0 || single < SessionTuning.PREVIEW_SINGLE * frames.size()
+			? Optional.empty()
+			: new FixedEndFinder(frames, progress).find().filter(end -> isInPlace(end, frames))
+				.map(prepared.pixels()::out);
+	}
+
+	private static boolean isInPlace(final Point end, final List<FrameView> frames) {
+		return frames.stream()
+			.filter(f -> f.graph().freeEnds().stream()
+				.anyMatch(n -> n.position().distanceTo(end) <= SessionTuning.PREVIEW_END))
+			.count() >= SessionTuning.PREVIEW_CLAMPED * frames.size();
 	}
 
 	private static List<Integer> few(final List<Integer> frames) {

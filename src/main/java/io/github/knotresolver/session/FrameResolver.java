@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 
 import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
@@ -21,7 +22,6 @@ import io.github.knotresolver.mask.Masks;
 import io.github.knotresolver.mask.ObjectFollower;
 import io.github.knotresolver.model.CandidateMethod;
 import io.github.knotresolver.model.Constraint;
-import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.ResolverMethod;
 import io.github.knotresolver.model.Settings;
@@ -32,7 +32,6 @@ import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.skeleton.Skeletonize;
 import io.github.knotresolver.track.FitResolver;
-import io.github.knotresolver.track.FitResolver.Refined;
 import io.github.knotresolver.track.FitResolver.Resolved;
 import io.github.knotresolver.track.FitSolver;
 import io.github.knotresolver.track.FrameGraph;
@@ -142,27 +141,15 @@ final class FrameResolver {
 	 * fit is good; frames without one stay without.
 	 */
 	private Track refined(final Track track, final Workers workers, final Progress progress) {
-		final Map<Integer, Polyline> contours = new HashMap<>();
-		track.frames().forEach(f -> f.contour().filter(c -> c.length() > 1)
-			.ifPresent(c -> contours.put(f.frame(), c)));
-		final List<FrameView> seen = frames.stream().filter(f -> contours.containsKey(f.frame()))
+		final Set<Integer> present = track.frames().stream()
+			.filter(f -> f.contour().filter(c -> c.length() > 1).isPresent())
+			.map(Observation::frame).collect(Collectors.toSet());
+		final List<FrameView> seen = frames.stream().filter(f -> present.contains(f.frame()))
 			.toList();
 		return seen.isEmpty()
 			? track
 			: fits(TrailCandidates.DEFAULT, workers, progress)
-				.refine(seen, contours, fixedEnd, parameters.length()).map(r -> merged(track, r))
-				.orElse(track);
-	}
-
-	private static Track merged(final Track track, final Refined fits) {
-		final List<Observation> frames = new ArrayList<>();
-		for (final Observation f : track.frames())
-			frames
-				.add(f.status() == FrameStatus.CORRECTED || !fits.contours().containsKey(f.frame())
-					? f
-					: f.withContour(fits.contours().get(f.frame())));
-		return new Track(fits.estimate().fixedEnd(), fits.estimate().length(),
-			fits.estimate().lengthError(), frames, track.notes());
+				.refine(seen, track, fixedEnd, parameters.length()).orElse(track);
 	}
 
 	private static Track found(final Resolved r) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.EnumSet;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -92,30 +93,25 @@ public final class FitResolver {
 	}
 
 	/**
-	 * What fitting made of contours.
-	 *
-	 * @param estimate line, length and fixed end
-	 * @param contours the contours by 1-based frame, in pixels, where the picture confirms
-	 *          them
-	 */
-	public record Refined(FilamentEstimate estimate, Map<Integer, Polyline> contours) {
-	}
-
-	/**
 	 * Fits contours that are known to be right, but to a pixel, to the pictures.
 	 *
-	 * @param frames the frames that have one, in order of time, at least one
-	 * @param contours the contours by 1-based frame, fixed end first, in pixels
+	 * @param frames those that have one, longer than a pixel, in order of time, at least one
+	 * @param track the contours, fixed end first
 	 * @param fixedEnd the fixed end in pixels, to within a few
 	 * @param length the filament's length in pixels; empty to estimate it
-	 * @return the same contours, sub-pixel; empty if the frames show no filament
+	 * @return the same contours, sub-pixel, where the user did not give them and the picture confirms
+	 *         the fit; empty if the frames show no filament
 	 */
-	public Optional<Refined> refine(final List<FrameView> frames,
-		final Map<Integer, Polyline> contours, final Point fixedEnd, final OptionalDouble length) {
-		return look(frames, fixedEnd, length).map(seen -> refined(seen, contours));
+	public Optional<Track> refine(final List<FrameView> frames, final Track track,
+		final Point fixedEnd, final OptionalDouble length) {
+		return look(frames, fixedEnd, length)
+			.map(seen -> track.fitted(seen.course.estimate(), fitted(seen, track)));
 	}
 
-	private Refined refined(final Seen seen, final Map<Integer, Polyline> contours) {
+	/** What the picture confirms, by 1-based frame. */
+	private Map<Integer, Polyline> fitted(final Seen seen, final Track track) {
+		final Map<Integer, Polyline> contours = new HashMap<>();
+		track.frames().forEach(f -> f.contour().ifPresent(c -> contours.put(f.frame(), c)));
 		final List<NormalizedFrame> light = light(seen.frames, seen.course.estimate());
 		final int links = FilamentEstimator.links(seen.course.estimate().length());
 		final List<Fit> fits = workers.map("Fitting the contours", progress, seen.frames.size(),
@@ -129,7 +125,7 @@ public final class FitResolver {
 			if (FitTrellis.isTrusted(
 				FitQuality.of(light.get(t), seen.course.estimate().model(), fits.get(t).chain())))
 				fitted.put(seen.frames.get(t).frame(), fits.get(t).chain().contour());
-		return new Refined(seen.course.estimate(), fitted);
+		return fitted;
 	}
 
 	/**

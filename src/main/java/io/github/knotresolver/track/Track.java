@@ -1,8 +1,11 @@
 package io.github.knotresolver.track;
 
 import java.util.List;
+import java.util.Map;
 
+import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 
@@ -21,6 +24,21 @@ public record Track(Point fixedEnd, double length, double lengthError, List<Obse
 	public Track {
 		frames = List.copyOf(frames);
 		notes = List.copyOf(notes);
+	}
+
+	/**
+	 * @param estimate length and fixed end that the fits were made with
+	 * @param contours fitted ones by 1-based frame
+	 * @return the same with these, where the user did not give the contour
+	 */
+	Track fitted(final FilamentEstimate estimate, final Map<Integer, Polyline> contours) {
+		return new Track(estimate.fixedEnd(), estimate.length(), estimate.lengthError(),
+			frames.stream()
+				.map(f -> f.status() == FrameStatus.CORRECTED || !contours.containsKey(f.frame())
+					? f
+					: f.withContour(contours.get(f.frame())))
+				.toList(),
+			notes);
 	}
 
 	/**

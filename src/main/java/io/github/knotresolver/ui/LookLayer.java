@@ -1,9 +1,13 @@
 package io.github.knotresolver.ui;
 
+import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
 import ij.ImagePlus;
 import ij.gui.Overlay;
+import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.imagej.ImageSource;
 import io.github.knotresolver.imagej.LookOverlay;
 import io.github.knotresolver.imagej.RoiConverter;
@@ -18,6 +22,7 @@ final class LookLayer implements AutoCloseable {
 	private final Overlay before;
 	private Optional<FrameLook> shown = Optional.empty();
 	private LookOverlay.Parts parts = LookOverlay.Parts.ALL;
+	private SortedMap<Integer, List<Polyline>> sightings = new TreeMap<>();
 	private Overlay drawn;
 
 	LookLayer(final ImagePlus image) {
@@ -55,10 +60,20 @@ final class LookLayer implements AutoCloseable {
 		image.setOverlay(drawn);
 	}
 
+	/** Draws contours while they are being found, in every frame; nothing new if there are none. */
+	void show(final SortedMap<Integer, List<Polyline>> found) {
+		if (found.isEmpty() || found.equals(sightings))
+			return;
+		sightings = found;
+		drawn = LookOverlay.of(found, places, before);
+		image.setOverlay(drawn);
+	}
+
 	/** The image is as it was before, unless others have drawn on it meanwhile. */
 	@Override
 	public void close() {
 		if (drawn != null && image.getOverlay() == drawn)
 			image.setOverlay(before);
+		drawn = null;
 	}
 }

@@ -42,7 +42,7 @@ public final class RunWindow implements ImageListener, AutoCloseable {
 	private final JButton cancel = new JButton("Cancel"), review = new JButton("Review");
 	private final Timer timer = new Timer(TICK, e -> tick());
 	private final long start = System.currentTimeMillis();
-	private final Optional<SightingLayer> layer;
+	private final Optional<LookLayer> layer;
 	private boolean running = true;
 
 	private RunWindow(final RunModel model, final ImagePlus image) {
@@ -50,7 +50,7 @@ public final class RunWindow implements ImageListener, AutoCloseable {
 		this.image = image;
 		layer = image.getWindow() == null
 			? Optional.empty()
-			: Optional.of(new SightingLayer(image));
+			: Optional.of(new LookLayer(image));
 		window = new JFrame("Resolving " + image.getTitle());
 		build();
 	}
@@ -138,7 +138,7 @@ public final class RunWindow implements ImageListener, AutoCloseable {
 	public void clear() {
 		EventThread.run(() -> {
 			timer.stop();
-			layer.ifPresent(SightingLayer::close);
+			layer.ifPresent(LookLayer::close);
 		});
 	}
 
@@ -211,7 +211,7 @@ public final class RunWindow implements ImageListener, AutoCloseable {
 	private void end() {
 		running = false;
 		timer.stop();
-		layer.ifPresent(SightingLayer::close);
+		layer.ifPresent(LookLayer::close);
 		ImagePlus.removeImageListener(this);
 		window.dispose();
 		if (last == this)
