@@ -2,8 +2,12 @@ package io.github.knotresolver.cli;
 
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 import io.github.knotresolver.io.Failure;
 import io.github.knotresolver.io.FailureLog;
@@ -114,10 +118,24 @@ public final class KnotResolverMain implements Runnable {
 			"Say what to do, such as: knotresolver resolve MOVIE.tif --out DIR");
 	}
 
+	/** What an option of a Java type takes, in words. */
+	private static String kind(final Class<?> type) {
+		if (type.isEnum())
+			return Arrays.stream(type.getEnumConstants())
+				.map(c -> c.toString().toLowerCase(Locale.ROOT))
+				.collect(Collectors.joining(" or "));
+		if (type == Path.class)
+			return "a file or folder";
+		if (type == boolean.class || type == Boolean.class)
+			return "true or false";
+		final boolean fractions = type == double.class || type == Double.class;
+		return fractions ? "a number" : "a whole number";
+	}
+
 	private static int refuse(final PrintWriter err, final ParameterException e) {
 		if (e.getValue() != null && e.getArgSpec() instanceof OptionSpec option)
 			return oneLine(err,
-				OptionText.refusal(option.longestName(), ValueKind.of(option.type()), e.getValue())
+				OptionText.refusal(option.longestName(), kind(option.type()), e.getValue())
 					.getMessage(),
 				ExitStatus.USAGE);
 		final boolean ours = e.getCause() instanceof UserException;

@@ -4,6 +4,7 @@ package io.github.knotresolver.fit;
 import org.apache.commons.math3.analysis.interpolation.SplineInterpolator;
 import org.apache.commons.math3.analysis.polynomials.PolynomialSplineFunction;
 
+import io.github.knotresolver.geometry.Angles;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 
@@ -40,16 +41,9 @@ public final class Chain {
 		for (int i = 0; i < links; i++) {
 			final double angle = Math.atan2(nodes.y(i + 1) - nodes.y(i),
 				nodes.x(i + 1) - nodes.x(i));
-			theta[i] = i == 0 ? angle : nearest(angle, theta[i - 1]);
+			theta[i] = i == 0 ? angle : Angles.nearest(angle, theta[i - 1]);
 		}
 		return new Chain(nodes.x(0), nodes.y(0), theta, length / links);
-	}
-
-	/**
-	 * The angle equal to {@code angle} modulo a full turn and nearest to another.
-	 */
-	static double nearest(final double angle, final double other) {
-		return angle + 2 * Math.PI * Math.rint((other - angle) / (2 * Math.PI));
 	}
 
 	/**
@@ -168,7 +162,7 @@ public final class Chain {
 	 */
 	public Chain extrapolated(final Chain earlier, final double factor) {
 		final double[] next = theta.clone();
-		final double turn = nearest(earlier.theta[0], theta[0]) - earlier.theta[0];
+		final double turn = Angles.nearest(earlier.theta[0], theta[0]) - earlier.theta[0];
 		for (int i = 0; i < next.length; i++)
 			next[i] += factor * (theta[i] - earlier.theta[i] - turn);
 		return new Chain(x0, y0, next, linkLength);
@@ -388,7 +382,7 @@ public final class Chain {
 	 * @return the difference in radians
 	 */
 	public double turn(final Chain other) {
-		final double full = nearest(other.theta[0], theta[0]) - other.theta[0];
+		final double full = Angles.nearest(other.theta[0], theta[0]) - other.theta[0];
 		double sum = 0;
 		for (int i = 0; i < theta.length; i++)
 			sum += Math.abs(theta[i] - other.theta[i] - full);
@@ -402,7 +396,7 @@ public final class Chain {
 	 */
 	public double squaredTurn(final Chain other) {
 		final int middle = theta.length / 2;
-		final double full = nearest(other.theta[middle], theta[middle]) - other.theta[middle];
+		final double full = Angles.nearest(other.theta[middle], theta[middle]) - other.theta[middle];
 		double sum = 0;
 		for (int i = 0; i < theta.length; i++) {
 			final double d = theta[i] - other.theta[i] - full;

@@ -3,6 +3,7 @@ package io.github.knotresolver.fit;
 
 import java.util.Optional;
 
+import io.github.knotresolver.geometry.Angles;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.progress.Cancellation;
 
@@ -155,7 +156,7 @@ public final class FilamentFitter {
 	 */
 	private static double fullTurns(final Chain chain, final Chain predicted) {
 		final int middle = chain.links() / 2;
-		return Chain.nearest(predicted.angle(middle), chain.angle(middle))
+		return Angles.nearest(predicted.angle(middle), chain.angle(middle))
 			- predicted.angle(middle);
 	}
 

@@ -3,6 +3,8 @@ package io.github.knotresolver.measure;
 
 import java.util.Arrays;
 
+import io.github.knotresolver.geometry.Angles;
+
 /** Amplitude and phase of one frequency along the filament. */
 final class PhaseProfile {
 

@@ -1,6 +1,8 @@
 
 package io.github.knotresolver.measure;
 
+import io.github.knotresolver.geometry.Angles;
+
 /**
  * The smoothed curve and its derivatives at every point.
  */
