@@ -225,12 +225,13 @@ public final class BatchWindow {
 	}
 
 	private void closed(final int row) {
-		table.refresh(row);
-		if (inTurn && table.isShowing())
-			goOn(row);
-		else {
-			status.setText(model.summary());
-			window.ifPresent(JFrame::toFront);
-		}
+		table.refresh(row, () -> {
+			if (inTurn && table.isShowing())
+				goOn(row);
+			else {
+				status.setText(model.summary());
+				window.ifPresent(JFrame::toFront);
+			}
+		});
 	}
 }

@@ -92,11 +92,20 @@ final class OutcomesTable extends JTable {
 		});
 	}
 
-	/** Shows what a row's result is now. Called by the thread of events. */
-	void refresh(final int row) {
-		outcomes.refresh(row);
-		cells.fireTableRowsUpdated(row, row);
-		new Thread(() -> readPicture(row), "KnotResolver picture").start();
+	/**
+	 * Reads in the background what a row's result is now, and shows it.
+	 *
+	 * @param then what follows, in the thread of events, when the numbers are there
+	 */
+	void refresh(final int row, final Runnable then) {
+		new Thread(() -> {
+			outcomes.refresh(row);
+			SwingUtilities.invokeLater(() -> {
+				cells.fireTableRowsUpdated(row, row);
+				then.run();
+			});
+			readPicture(row);
+		}, "KnotResolver picture").start();
 	}
 
 	/** The model as Swing asks for it. */

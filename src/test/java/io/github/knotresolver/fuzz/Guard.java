@@ -3,6 +3,7 @@ package io.github.knotresolver.fuzz;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.lang.management.ManagementFactory;
+import java.time.LocalTime;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.ExecutionException;
@@ -33,6 +34,8 @@ public final class Guard {
 	/** Work that waits longer than this, in seconds, has none, either; a busy machine lets some wait. */
 	private static final int LONGEST_WAIT = 600;
 
+	private static final int FIRST_TOLD = 64;
+
 	private static final boolean COLLECT = Boolean.getBoolean("fuzz.collect");
 
 	private static final Map<String, Integer> COUNTS = new TreeMap<>();
@@ -42,6 +45,8 @@ public final class Guard {
 	private final String name;
 	private final ExecutorService executor = Executors.newSingleThreadExecutor(this::worker);
 	private volatile Thread thread;
+	/** How many there were; every time that they are twice as many, it is told. */
+	private long inputs;
 
 	/** @param name what is tested, in messages */
 	public Guard(final String name) {
@@ -96,6 +101,9 @@ public final class Guard {
 
 	private void run(final Supplier<String> input, final Runnable work, final LongSupplier clock,
 		final Runnable cancel) {
+		inputs++;
+		if (COLLECT && inputs >= FIRST_TOLD && Long.bitCount(inputs) == 1)
+			System.out.println(inputs + " inputs of " + name + " at " + LocalTime.now());
 		final Future<?> running = executor.submit(work);
 		final long start = thread == null ? 0 : clock.getAsLong();
 		boolean late = false;

@@ -2,6 +2,7 @@ package io.github.knotresolver.ui;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -18,6 +19,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 
 import javax.imageio.ImageIO;
 import javax.swing.JButton;
@@ -84,6 +87,24 @@ class BatchWindowTest {
 		shown.close();
 		shown.readPictures();
 		SwingUtilities.invokeAndWait(() -> assertNull(shown.getValueAt(0, BatchTable.PICTURE)));
+	}
+
+	@Test
+	void whatAReviewChangedIsReadInTheBackgroundBeforeWhatFollows() throws Exception {
+		final OutcomesTable shown = new OutcomesTable(table());
+		Files.copy(out.resolve("drawn").resolve("overlay.png"),
+			out.resolve("plain").resolve("overlay.png"));
+		final CompletableFuture<Boolean> followed = new CompletableFuture<>();
+		SwingUtilities.invokeAndWait(() -> shown.refresh(2,
+			() -> followed.complete(SwingUtilities.isEventDispatchThread())));
+		assertTrue(followed.get(60, TimeUnit.SECONDS));
+		final Object[] picture = new Object[1];
+		for (int i = 0; i < 1200 && picture[0] == null; i++) {
+			Thread.sleep(50);
+			SwingUtilities
+				.invokeAndWait(() -> picture[0] = shown.getValueAt(2, BatchTable.PICTURE));
+		}
+		assertNotNull(picture[0]);
 	}
 
 	private static double ratio(final BufferedImage picture) {

@@ -2,10 +2,10 @@ package io.github.knotresolver.ui.model;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
 
 import io.github.knotresolver.io.BatchList;
@@ -32,7 +32,7 @@ public final class BatchTable {
 
 	private final Path out;
 	private final List<BatchOutcome> outcomes;
-	private final List<Optional<ResultCounts>> counts = new ArrayList<>();
+	private final List<Optional<ResultCounts>> counts = new CopyOnWriteArrayList<>();
 
 	/**
 	 * @param out the folder of the result folders
@@ -48,7 +48,7 @@ public final class BatchTable {
 	}
 
 	/**
-	 * Reads the numbers of a result anew.
+	 * Reads the numbers of a result anew, by any thread.
 	 *
 	 * @param row of the table, from 0
 	 */
