@@ -71,7 +71,7 @@ final class Blobs {
 		final int height = near.length / width;
 		for (int v = (int) Math.max(0, y - radius); v <= Math.min(height - 1, y + radius); v++)
 			for (int u = (int) Math.max(0, x - radius); u <= Math.min(width - 1, x + radius); u++)
-				if (Math.hypot(u - x, v - y) <= radius)
+				if ((u - x) * (u - x) + (v - y) * (v - y) <= radius * radius)
 					near[v * width + u] = true;
 	}
 }

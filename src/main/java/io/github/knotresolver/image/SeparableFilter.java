@@ -29,15 +29,16 @@ final class SeparableFilter {
 	static float[] alongRows(final float[] in, final int width, final double[] kernel) {
 		final int radius = kernel.length / 2;
 		final float[] out = new float[in.length];
-		for (int row = 0; row < in.length; row += width)
+		final float[] padded = new float[width + 2 * radius];
+		for (int row = 0; row < in.length; row += width) {
+			pad(in, row, width, radius, padded);
 			for (int x = 0; x < width; x++) {
 				double sum = 0;
-				for (int k = 0; k < kernel.length; k++) {
-					final int at = Math.min(Math.max(x + k - radius, 0), width - 1);
-					sum += kernel[k] * in[row + at];
-				}
+				for (int k = 0; k < kernel.length; k++)
+					sum += kernel[k] * padded[x + k];
 				out[row + x] = (float) sum;
 			}
+		}
 		return out;
 	}
 

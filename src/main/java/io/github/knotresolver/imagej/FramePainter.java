@@ -42,9 +42,13 @@ final class FramePainter {
 		final RandomAccess<? extends RealType<?>> pixel = frame.randomAccess();
 		final int[] row = new int[view.width()];
 		for (int y = 0; y < view.height(); y++) {
-			for (int x = 0; x < row.length; x++)
-				row[x] = 0x010101 * contrast
-					.gray(pixel.setPositionAndGet(view.x() + x, view.y() + y).getRealDouble());
+			pixel.setPosition(view.x(), 0);
+			pixel.setPosition(view.y() + y, 1);
+			for (int x = 0; x < row.length; x++) {
+				if (x > 0)
+					pixel.fwd(0);
+				row[x] = 0x010101 * contrast.gray(pixel.get().getRealDouble());
+			}
 			part.getRaster().setDataElements(0, y, row.length, 1, row);
 		}
 		return enlarged(part);
