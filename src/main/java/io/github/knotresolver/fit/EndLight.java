@@ -168,21 +168,25 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 				LineModel.uniform(model.kind(), model.sigma(), model.power()),
 				Chain.along(line, 2, length));
 			final double[] pixels = part.pixels();
-			double light = 0, norm = 0;
+			final boolean additive = model.kind() == LineModel.Kind.ADDITIVE;
+			double n = 0, own = 0, squares = 0, left = 0, product = 0;
 			for (int i = 0; i < picture.length; i++) {
-				final double own = model.kind() == LineModel.Kind.ADDITIVE
-					? picture[i]
-					: Math.max(0, picture[i] - drawn[i]);
+				final double o = additive ? picture[i] : Math.max(0, picture[i] - drawn[i]);
 				// A pixel that was cut off below what is expected does not say how bright it is.
-				if (model.kind() == LineModel.Kind.ADDITIVE
-					&& part.hides(i, drawn[i] + own * expected))
+				if (picture[i] == 0 || additive && part.hides(i, drawn[i] + o * expected))
 					continue;
-				light += own * (pixels[i] - drawn[i]);
-				norm += own * own;
+				final double rest = pixels[i] - drawn[i];
+				n++;
+				own += o;
+				squares += o * o;
+				left += rest;
+				product += o * rest;
 			}
-			return norm < FitTuning.PIECE_SEEN * length * model.in(frame).sigma()
-				? new Piece(0, 0, angle)
-				: new Piece(light / norm / expected, light / (noise * Math.sqrt(norm)), angle);
+			if (squares < FitTuning.PIECE_SEEN * length * model.in(frame).sigma())
+				return new Piece(0, 0, angle);
+			// A piece is brighter than what is beside it; haze is not.
+			final double light = product - own * left / n, norm = squares - own * own / n;
+			return new Piece(light / norm / expected, light / (noise * Math.sqrt(norm)), angle);
 		}
 	}
 }

@@ -28,8 +28,28 @@ public final class FilamentEstimator {
 	private FilamentEstimator() {
 	}
 
-	/** A frame and the contour that its skeleton gives, fixed end first. */
-	public record Sighting(NormalizedFrame frame, Polyline contour) {
+	/**
+	 * A frame and the contour that its skeleton gives.
+	 *
+	 * @param frame the frame
+	 * @param contour fixed end first, in pixels
+	 * @param others other ways through the skeleton, where parts of the filament seem to lie on
+	 *          each other: there a contour may take the wrong way, and end where it runs into
+	 *          itself; none if the filament lies open
+	 */
+	public record Sighting(NormalizedFrame frame, Polyline contour, List<Polyline> others) {
+
+		public Sighting {
+			others = List.copyOf(others);
+		}
+
+		/**
+		 * @param frame a frame in which the filament lies open
+		 * @param contour fixed end first, in pixels
+		 */
+		public Sighting(final NormalizedFrame frame, final Polyline contour) {
+			this(frame, contour, List.of());
+		}
 	}
 
 	/**
@@ -47,13 +67,92 @@ public final class FilamentEstimator {
 		final Progress progress) {
 		final List<Example> seen = new ArrayList<>();
 		for (final Sighting s : sightings)
-			seen.add(new Example(s.frame,
-				Chain.along(s.contour, links(s.contour.length()), s.contour.length())));
-		final List<Learned> learned = kinds.stream()
-			.map(kind -> learn(seen, kind, endsFree, workers, progress)).toList();
+			seen.add(new Example(s.frame, chain(s.contour)));
+		final Fitting fitting = new Fitting(sightings, endsFree, workers, progress);
+		final List<Learned> learned = kinds.stream().map(kind -> {
+			final Learned first = learn(seen, kind, fitting);
+			return evenOrNot(fitting.isOpen() ? first : ended(first, fitting), fitting.released());
+		}).toList();
 		return learned.stream().filter(Learned::isLine)
 			.filter(l -> kinds.size() == 1 || l.isPlausible())
 			.min(Comparator.comparingDouble(Learned::misfit)).map(Learned::summary);
+	}
+
+	/**
+	 * How curves are fitted.
+	 *
+	 * @param sightings where they come from
+	 * @param endsFree weights of a fit with both ends and the length free
+	 * @param workers threads
+	 * @param progress asked whether to stop
+	 */
+	private record Fitting(List<Sighting> sightings, FitSettings endsFree, Workers workers,
+		Progress progress) {
+
+		boolean isOpen() {
+			return sightings.stream().allMatch(s -> s.others.isEmpty());
+		}
+
+		/** The same, no start held. */
+		Fitting released() {
+			return new Fitting(
+				sightings.stream().map(s -> new Sighting(s.frame, s.contour)).toList(), endsFree,
+				workers, progress);
+		}
+
+		/**
+		 * Where a filament lies on itself, one that is bent easily or is too stiff slips off its
+		 * own end and onto another strand of itself; its start is held near the skeleton's there.
+		 */
+		private Optional<Point> start(final int i) {
+			return isOpen() ? Optional.empty() : Optional.of(sightings.get(i).contour.first());
+		}
+
+		/** Fits the examples again; those that come from skeletons first as stiff filaments. */
+		List<Example> again(final List<Example> examples, final Estimate line,
+			final boolean fromSkeletons) {
+			return workers.map(examples.size(), i -> {
+				progress.checkCancelled();
+				final Example e = examples.get(i);
+				final NormalizedFrame frame = scaled(e, line);
+				final Chain begin = fromSkeletons
+					? fit(frame, line, e.chain(), start(i), stiff()).chain()
+					: e.chain();
+				return new Example(e.frame(), fit(frame, line, begin, start(i), endsFree).chain());
+			});
+		}
+
+		private FitSettings stiff() {
+			return endsFree.roughAndStiff(FitSettings.START_STIFFNESS);
+		}
+
+		/** The way through each skeleton that explains most light, followed to the end of its light. */
+		List<Example> toTheEnd(final List<Example> examples, final Estimate line) {
+			return workers.map(examples.size(), i -> {
+				progress.checkCancelled();
+				final Example e = examples.get(i);
+				final NormalizedFrame frame = scaled(e, line);
+				final EndLight ends = new EndLight(frame, line.model(), frame.noise());
+				final List<Chain> ways = new ArrayList<>(List.of(e.chain()));
+				for (final Polyline other : sightings.get(i).others)
+					ways.add(fit(frame, line, fit(frame, line, chain(other), start(i), stiff()).chain(),
+						start(i), endsFree).chain());
+				return new Example(e.frame(), ways.stream()
+					.map(w -> fit(frame, line, ends.settled(w), start(i), endsFree))
+					.min(Comparator.comparingDouble(Fit::energy)).orElseThrow().chain());
+			});
+		}
+
+		private static NormalizedFrame scaled(final Example e, final Estimate line) {
+			return e.frame().rescaled(line.background(), line.amplitude());
+		}
+
+		private static Fit fit(final NormalizedFrame frame, final Estimate line, final Chain start,
+			final Optional<Point> hold, final FitSettings settings) {
+			return new FilamentFitter(frame, line.model(), start.links(), hold,
+				hold.isPresent() ? settings.withClampWeight(FitTuning.START_HELD) : settings)
+				.fit(start, Optional.empty());
+		}
 	}
 
 	/** A line and the curves that were fitted with it. */
@@ -85,13 +184,35 @@ public final class FilamentEstimator {
 	}
 
 	private static Learned learn(final List<Example> seen, final LineModel.Kind kind,
-		final FitSettings endsFree, final Workers workers, final Progress progress) {
+		final Fitting fitting) {
 		List<Example> examples = seen;
-		Estimate line = line(examples, kind, FitTuning.FIRST_WIDTH, progress);
+		Estimate line = line(examples, kind, FitTuning.FIRST_WIDTH, fitting.progress);
 		for (int round = 0; round < FitTuning.LINE_ROUNDS && line.isVisible(); round++) {
-			examples = refit(examples, line, endsFree, round == 0, workers, progress);
-			line = line(examples, kind, line.model().sigma(), progress);
+			examples = fitting.again(examples, line, round == 0);
+			line = line(examples, kind, line.model().sigma(), fitting.progress);
 		}
+		return new Learned(examples, line);
+	}
+
+	/**
+	 * Contours that may take a wrong way and end where the filament runs into itself, followed to
+	 * the end of their light. All of the filament is taken for equally bright as long as that is
+	 * not done: what is twice as bright are two strands.
+	 */
+	private static Learned ended(final Learned first, final Fitting fitting) {
+		List<Example> examples = first.examples;
+		Estimate line = first.line;
+		for (int round = 0; round < FitTuning.ENDING_ROUNDS && isLine(line); round++) {
+			examples = fitting.toTheEnd(examples, line);
+			line = line(examples, line.model().kind(), line.model().sigma(), fitting.progress);
+		}
+		return new Learned(fitting.released().again(examples, line, false), line);
+	}
+
+	/** The same with what the brightness is along the filament, if that is noticeable. */
+	private static Learned evenOrNot(final Learned first, final Fitting fitting) {
+		List<Example> examples = first.examples;
+		Estimate line = first.line;
 		// Along what is no line, no profile is learned: nothing comes of it.
 		for (int round = 0; round < FitTuning.MOST_PROFILE_ROUNDS && isLine(line); round++) {
 			final double[] brightness = BrightnessProfile.estimate(examples, line);
@@ -99,7 +220,7 @@ public final class FilamentEstimator {
 				break;
 			line = line.withModel(line.model().withBrightness(brightness));
 			final double before = usualLength(examples);
-			examples = refit(examples, line, endsFree, false, workers, progress);
+			examples = fitting.again(examples, line, false);
 			if (round + 1 >= FitTuning.FEWEST_PROFILE_ROUNDS
 				&& Math.abs(usualLength(examples) / before - 1) < FitTuning.PROFILE_SETTLED)
 				break;
@@ -124,19 +245,8 @@ public final class FilamentEstimator {
 			progress);
 	}
 
-	/** Fits the examples again; those that come from skeletons first as stiff filaments. */
-	private static List<Example> refit(final List<Example> examples, final Estimate line,
-		final FitSettings endsFree, final boolean fromSkeletons, final Workers workers,
-		final Progress progress) {
-		return workers.map(examples.size(), i -> {
-			progress.checkCancelled();
-			final Example e = examples.get(i);
-			final NormalizedFrame frame = e.frame().rescaled(line.background(), line.amplitude());
-			return new Example(e.frame(),
-				fromSkeletons
-					? fromSkeleton(frame, line.model(), e.chain(), endsFree)
-					: endsFree(frame, line.model(), e.chain(), endsFree));
-		});
+	private static Chain chain(final Polyline contour) {
+		return Chain.along(contour, links(contour.length()), contour.length());
 	}
 
 	/**

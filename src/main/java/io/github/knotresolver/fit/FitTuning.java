@@ -125,6 +125,18 @@ final class FitTuning {
 	static final int LINE_ROUNDS = 3;
 
 	/**
+	 * [rounds] How often contours that may end too early are followed to the end of their light.
+	 * Why: the line is known better once they are.
+	 */
+	static final int ENDING_ROUNDS = 3;
+
+	/**
+	 * [strands²/px²] Price of leaving the place where a skeleton begins, of a filament that lies
+	 * on itself. Why: 1 / (2 variance), skeletons begin within 1.5 px.
+	 */
+	static final double START_HELD = 0.2;
+
+	/**
 	 * [rounds] Rounds in which the profile along the filament is learned, at least. Why: the
 	 * length follows the profile.
 	 */

@@ -105,13 +105,17 @@ record AnchorPath(List<Point> places, double[] weights) {
 	}
 
 	/**
-	 * Whether it is skeletons alone that say that the end moves, since there are hardly any open
-	 * frames: in noise, or where it lies on the filament, they end anywhere.
+	 * Whether little says that the end moves: skeletons alone, which in noise, or where it lies on
+	 * the filament, end anywhere; or open frames of a small part of the movie, in which a filament
+	 * that is not evenly bright may seem to begin somewhere else from frame to frame.
 	 *
 	 * @param open fits of open frames
 	 */
-	boolean isFromSkeletonsAlone(final OpenFrames open) {
-		return range() > 0 && open.withFixedEnd().size() < TrackTuning.SETTLING;
+	boolean isDoubtful(final OpenFrames open) {
+		final int[] seen = open.withFixedEnd().stream().mapToInt(Seen::index).toArray();
+		final int n = seen.length;
+		return range() > 0 && (n < TrackTuning.SETTLING
+			|| seen[3 * n / 4] - seen[n / 4] < TrackTuning.SETTLING_SPAN * places.size());
 	}
 
 	private boolean moves(final List<Seen> seen) {

@@ -131,7 +131,7 @@ public final class FitResolver {
 	/**
 	 * The frames without bleaching and noise, and what they tell of the filament.
 	 *
-	 * @param endIsDoubtful whether skeletons alone say that its fixed end moves
+	 * @param endIsDoubtful whether little says that its fixed end moves
 	 */
 	private record Seen(List<FrameView> frames, FilamentCourse course, boolean endIsDoubtful) {
 
@@ -180,7 +180,7 @@ public final class FitResolver {
 		return new Seen(
 			frames, new FilamentCourse(settled, anchor,
 				length.course(settled.length(), frames.size()), 0, endsFree.stiffness()),
-			anchor.isFromSkeletonsAlone(open));
+			anchor.isDoubtful(open));
 	}
 
 	private static List<NormalizedFrame> light(final List<FrameView> frames,

@@ -22,7 +22,7 @@ final class Sightings {
 	private Sightings() {
 	}
 
-	private record Seen(FrameView frame, Polyline contour, double price) {
+	private record Seen(FrameView frame, Polyline contour, List<Polyline> others, double price) {
 
 		/** Whether both ends are inside the picture. */
 		boolean isWhole() {
@@ -41,8 +41,8 @@ final class Sightings {
 		final List<Seen> seen = new ArrayList<>();
 		for (int t = 0; t < sets.size(); t++) {
 			Cancellation.check();
-			for (final Candidate best : sets.get(t).candidates().stream().limit(1).toList())
-				look(frames.get(t), best, seen);
+			if (!sets.get(t).candidates().isEmpty())
+				look(frames.get(t), sets.get(t).candidates(), seen);
 		}
 		if (seen.isEmpty())
 			return List.of();
@@ -60,16 +60,21 @@ final class Sightings {
 		return from.stream()
 			.filter(s -> Math.abs(s.contour.length() / length - 1) < TrackTuning.SIGHTED_TOLERANCE)
 			.sorted(Comparator.comparingDouble(Seen::price)).limit(TrackTuning.SIGHTINGS)
-			.map(s -> new Sighting(s.frame.light(), s.contour)).toList();
+			.map(s -> new Sighting(s.frame.light(), s.contour, from == simple ? List.of() : s.others))
+			.toList();
 	}
 
-	private static void look(final FrameView frame, final Candidate best, final List<Seen> seen) {
+	private static void look(final FrameView frame, final List<Candidate> trails,
+		final List<Seen> seen) {
+		final Candidate best = trails.get(0);
 		final Polyline contour = ContourBuilder.smooth(best);
 		if (contour.size() < 2 || contour.length() < TrackTuning.SIGHTED)
 			return;
 		// A doubtful contour is used only where there is none better.
 		final double doubt = best.price().overlap()
 			+ Crossings.of(contour).size() * contour.length();
-		seen.add(new Seen(frame, contour, best.price().total() + doubt));
+		final List<Polyline> others = trails.stream().skip(1).limit(TrackTuning.OTHER_WAYS)
+			.map(ContourBuilder::smooth).filter(c -> c.length() >= TrackTuning.SIGHTED).toList();
+		seen.add(new Seen(frame, contour, others, best.price().total() + doubt));
 	}
 }

@@ -126,6 +126,12 @@ final class TrackTuning {
 	 */
 	static final int SETTLING = 5;
 
+	/**
+	 * [share] ... and the middle half of these frames is so much of the movie. Why: what holds for
+	 * half of an eighth of it need not hold for the rest.
+	 */
+	static final double SETTLING_SPAN = 0.125;
+
 	/** [px] A skeleton ends so much before the filament does. Why: half a usual width. */
 	static final double SKELETON_SHORT = 2;
 
@@ -374,6 +380,13 @@ final class TrackTuning {
 	 * that.
 	 */
 	static final double SIGHTED_TOLERANCE = 0.06;
+
+	/**
+	 * [trails] So many other ways through the skeleton of a frame in which the filament lies on
+	 * itself are fitted. Why: a loop that is closed is passed either way, and dearer ones are
+	 * wrong.
+	 */
+	static final int OTHER_WAYS = 3;
 
 	/**
 	 * [share] So many of the frames must show one object with at most two ends. Why: debris and

@@ -77,4 +77,21 @@ class EndLightTest {
 		assertEquals(0, light.beyondTip(outside).sureness());
 		assertSame(outside, light.settled(outside).length() == 110 ? outside : null);
 	}
+
+	@Test
+	void hazeIsNoLine() {
+		final LineModel model = line(LineModel.Kind.ADDITIVE);
+		final Chain truth = DrawnMovie.wave(0, 60, 1);
+		final NormalizedFrame dark = DrawnMovie.draw(List.of(truth), List.of(), model, NOISE, 7)
+			.frame(0);
+		final double[] pixels = dark.pixels().clone();
+		for (int i = 0; i < pixels.length; i++) {
+			final double x = i % dark.width() - truth.tip().x(),
+				y = i / dark.width() - truth.tip().y();
+			pixels[i] += 0.7 * Math.exp(-(x * x + y * y) / (2 * 12 * 12));
+		}
+		final EndLight light = new EndLight(
+			new NormalizedFrame(dark.width(), dark.height(), pixels), model, NOISE);
+		assertEquals(truth.length(), light.settled(truth).length(), 1e-9);
+	}
 }

@@ -75,6 +75,51 @@ class FilamentEstimatorTest {
 		assertEquals(LENGTH, estimate.length(), 0.005 * LENGTH);
 	}
 
+	/**
+	 * A filament that is wound up in all frames: from its fixed end, in the middle of a ring, once
+	 * around and on over itself for 14 px. Its skeleton has one junction only, and where a trail comes back
+	 * to it, it ends; the cheapest goes the wrong way round.
+	 */
+	@Test
+	void aFilamentThatLiesOnItselfInAllFramesIsFollowedToItsTip() {
+		final LineModel model = LineModel.uniform(LineModel.Kind.ADDITIVE, 1.4, 1);
+		final List<Sighting> sightings = new ArrayList<>();
+		double length = 0;
+		for (int t = 0; t < 8; t++) {
+			final Polyline around = ring(0.5 * t, 2 * Math.PI + 14.0 / RING, 1),
+				once = ring(0.5 * t, 2 * Math.PI - 0.1, 1),
+				wrong = ring(0.5 * t, 2 * Math.PI - 0.1, -1);
+			length = around.length();
+			final NormalizedFrame frame = DrawnMovie.draw(
+				List.of(Chain.along(around, 60, around.length())), List.of(), model, 0.05, t)
+				.frame(0);
+			sightings.add(new Sighting(frame, wrong, List.of(once)));
+		}
+		final FilamentEstimate estimate = FilamentEstimator.estimate(sightings,
+			EnumSet.of(LineModel.Kind.ADDITIVE), FitSettings.ENDS_FREE, Workers.HERE, Progress.NONE)
+			.orElseThrow();
+		assertEquals(length, estimate.length(), 0.015 * length);
+		assertEquals(0, estimate.fixedEnd().distanceTo(new Point(40, 40)), 0.8);
+		assertEquals(1, estimate.model().brightness().length);
+		assertEquals(1, estimate.amplitude(), 0.05);
+	}
+
+	private static final double RING = 12;
+
+	/** From the middle out to a ring, and along it by an angle, this way or the other. */
+	private static Polyline ring(final double turned, final double angle, final int way) {
+		final List<Point> points = new ArrayList<>();
+		for (double a = 0; a <= Math.PI; a += 0.1)
+			points.add(place(turned - Math.PI + a, RING * Math.sin(a / 2)));
+		for (double a = 0.1; a <= angle; a += 0.05)
+			points.add(place(turned + way * a, RING));
+		return Polyline.of(points);
+	}
+
+	private static Point place(final double angle, final double radius) {
+		return new Point(40 + radius * Math.cos(angle), 40 + radius * Math.sin(angle));
+	}
+
 	private static FilamentEstimate estimate(final LineModel model) {
 		return estimate(model, 0.05, f -> f);
 	}

@@ -59,8 +59,8 @@ class ProposedTest {
 	void skeletonsAloneSayThatAnEndMovesIfHardlyAnyFrameIsOpen() {
 		final AnchorPath moving = new AnchorPath(
 			IntStream.range(0, 20).mapToObj(t -> new Point(t, 0)).toList(), new double[20]);
-		assertTrue(moving.isFromSkeletonsAlone(open(2)));
-		assertFalse(moving.isFromSkeletonsAlone(open(12)));
-		assertFalse(AnchorPath.still(new Point(3, 3), 20).isFromSkeletonsAlone(open(2)));
+		assertTrue(moving.isDoubtful(open(2)));
+		assertFalse(moving.isDoubtful(open(12)));
+		assertFalse(AnchorPath.still(new Point(3, 3), 20).isDoubtful(open(2)));
 	}
 }
