@@ -56,22 +56,43 @@ final class SolvedMovie {
 		if (prepared.frames().isEmpty())
 			throw nothingFound(movie, settings);
 		final Progress placed = new PlacedProgress(progress, prepared.pixels()::out);
-		final Optional<SceneTracks> scene = scene(prepared, settings, workers, placed);
-		return new SolvedMovie(movie, prepared, scene,
-			scene.isPresent()
-				? Optional.empty()
-				: Optional.of(single(movie, prepared, settings, workers, placed)));
+		final boolean alone = settings.anchor() != AnchorChoice.FREE
+			&& SingleFilament.isClampedAlone(prepared.frames());
+		final Optional<SceneTracks> scene = alone || !settings.deliversAll()
+			? Optional.empty()
+			: scene(prepared, settings, workers, placed);
+		if (scene.isPresent() && !mayBeOne(scene.get(), settings, prepared))
+			return new SolvedMovie(movie, prepared, scene, Optional.empty());
+		final FrameResolver single = single(movie, prepared, settings, workers, placed);
+		final Optional<SceneTracks> many = scene.isPresent() || !alone || !settings.deliversAll()
+			|| !isDoubtful(single, workers, placed)
+				? scene
+				: scene(prepared, settings, workers, placed);
+		return many.isPresent() && !new OneOrMany(prepared, workers, placed).isOne(single, many.get())
+			? new SolvedMovie(movie, prepared, many, Optional.empty())
+			: new SolvedMovie(movie, prepared, Optional.empty(), Optional.of(single));
 	}
 
-	/** All filaments of the movie; empty if it holds one that is clamped, or one is asked for. */
+	/** All filaments of the movie; empty if it holds one that is clamped. */
 	private static Optional<SceneTracks> scene(final PreparedMovie prepared,
 		final Settings settings, final Workers workers, final Progress progress) {
-		final boolean free = settings.anchor() == AnchorChoice.FREE;
-		if (!settings.deliversAll() || !free && SingleFilament.isClampedAlone(prepared.frames()))
-			return Optional.empty();
 		return new SceneResolver(prepared.kinds(), workers, progress)
 			.resolve(prepared.frames(), settings.anchor())
-			.filter(s -> !s.filaments().isEmpty() && (free || !s.isOneClamped()));
+			.filter(s -> !s.filaments().isEmpty()
+				&& (settings.anchor() == AnchorChoice.FREE || !s.isOneClamped()));
+	}
+
+	/** Whether several filaments may be one that lies on itself. */
+	private static boolean mayBeOne(final SceneTracks scene, final Settings settings,
+		final PreparedMovie prepared) {
+		return settings.anchor() != AnchorChoice.FREE && scene.filaments().size() > 1
+			&& settings.fitsTrails() && SingleFilament.isOneObject(prepared.frames());
+	}
+
+	private static boolean isDoubtful(final FrameResolver single, final Workers workers,
+		final Progress progress) {
+		return single.resolve(List.of(), workers, progress)
+			.map(t -> Verdict.isDoubtful(t.frames())).orElse(true);
 	}
 
 	private static FrameResolver single(final Movie movie, final PreparedMovie prepared,

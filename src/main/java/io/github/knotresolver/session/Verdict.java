@@ -26,12 +26,10 @@ final class Verdict {
 	 */
 	static List<String> on(final List<FilamentTrack> filaments) {
 		final List<String> verdict = new ArrayList<>();
-		final List<Observation> all = filaments.stream().flatMap(f -> f.frames().stream())
-			.filter(o -> o.status() == FrameStatus.RESOLVED || o.status() == FrameStatus.UNRESOLVED)
-			.toList();
-		final long likely = all.stream().filter(o -> o.confidence() > SessionTuning.LIKELY).count();
-		if (all.size() >= SessionTuning.VERDICT_FRAMES
-			&& likely < SessionTuning.LIKELY_SHARE * all.size())
+		final List<Observation> all = followed(
+			filaments.stream().flatMap(f -> f.frames().stream()).toList());
+		final long likely = likely(all);
+		if (isDoubtful(all))
 			verdict.add(String.format(Locale.ROOT,
 				"Doubtful as a whole: only %d of %d contours are more likely right than wrong; the movie may show something other than filaments, or more than can be followed. Look at the overlay before using any of it.",
 				likely, all.size()));
@@ -41,6 +39,23 @@ final class Verdict {
 				filaments.size() == 1 ? "the contour is" : "all contours are",
 				SessionTuning.STILL));
 		return verdict;
+	}
+
+	/** Whether most frames in which something was followed are more likely wrong than right. */
+	static boolean isDoubtful(final List<Observation> frames) {
+		final List<Observation> all = followed(frames);
+		return all.size() >= SessionTuning.VERDICT_FRAMES
+			&& likely(all) < SessionTuning.LIKELY_SHARE * all.size();
+	}
+
+	private static List<Observation> followed(final List<Observation> frames) {
+		return frames.stream()
+			.filter(o -> o.status() == FrameStatus.RESOLVED || o.status() == FrameStatus.UNRESOLVED)
+			.toList();
+	}
+
+	private static long likely(final List<Observation> frames) {
+		return frames.stream().filter(o -> o.confidence() > SessionTuning.LIKELY).count();
 	}
 
 	private static boolean standsStill(final FilamentTrack track) {

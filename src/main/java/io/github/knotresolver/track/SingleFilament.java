@@ -52,6 +52,22 @@ public final class SingleFilament {
 			&& staysInPlace(open);
 	}
 
+	/**
+	 * O(segments).
+	 *
+	 * @param frames a movie
+	 * @return whether nearly all of its frames show one object and nothing else
+	 */
+	public static boolean isOneObject(final List<FrameView> frames) {
+		int one = 0, seen = 0;
+		for (final FrameView frame : frames) {
+			final int objects = objects(frame.graph()).size();
+			seen += objects > 0 ? 1 : 0;
+			one += objects == 1 ? 1 : 0;
+		}
+		return seen > 0 && one >= TrackTuning.NEARLY_ALL * seen;
+	}
+
 	private static List<Set<Node>> objects(final SkeletonGraph graph) {
 		final List<Set<Node>> parts = new ConnectivityInspector<>(graph.asGraph()).connectedSets();
 		final double longest = parts.stream().mapToDouble(p -> length(graph, p)).max().orElse(0);
