@@ -10,6 +10,8 @@ import java.util.Locale;
  * <li>{@link Kind#SATURATING}: a pixel's value depends on its distance d to the
  * nearest point of the curve, exp(-(d²/2σ²)^p): strands that cross are not
  * brighter (clipped or thresholded pictures, dilated skeletons);</li>
+ * <li>{@link Kind#BRIGHTEST}: the same, but for its ends: they are those of a lens, as where
+ * light adds up, cut off with it;</li>
  * <li>{@link Kind#ADDITIVE}: every strand adds its light, the line integral of a
  * Gaussian point spread function: strands that cross are brighter
  * (fluorescence in its linear range).</li>
@@ -27,8 +29,10 @@ public record LineModel(Kind kind, double sigma, double power, double[] brightne
 	/** How strands that lie on each other add up. */
 	public enum Kind {
 
-		/** A crossing is as bright as one strand. */
+		/** A crossing is as bright as one strand; ends are blunt. */
 		SATURATING,
+		/** A crossing is as bright as one strand; ends are blurred by a lens. */
+		BRIGHTEST,
 		/** A crossing is as bright as its strands together. */
 		ADDITIVE
 

@@ -113,6 +113,6 @@ record Clipping(double ceiling, double share, double most) {
 	Set<LineModel.Kind> kinds() {
 		return isClipped()
 			? EnumSet.of(LineModel.Kind.SATURATING)
-			: EnumSet.allOf(LineModel.Kind.class);
+			: EnumSet.of(LineModel.Kind.SATURATING, LineModel.Kind.ADDITIVE);
 	}
 }

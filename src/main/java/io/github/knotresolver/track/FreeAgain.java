@@ -39,7 +39,7 @@ final class FreeAgain {
 	 * @return its chains in all frames; empty if it is never clear for long enough
 	 */
 	Optional<Settled> follow(final ScenePass pass, final int k, final boolean[] clear) {
-		final int[] run = longest(clear);
+		final int[] run = ScenePass.longestRun(clear);
 		if (run[1] - run[0] < SceneTuning.AGAIN_CLEAR)
 			return Optional.empty();
 		final int n = pass.chains().size();
@@ -56,19 +56,6 @@ final class FreeAgain {
 	private static Chain supple(final Chain chain) {
 		return chain.divided(
 			Math.max(chain.links(), (int) Math.rint(chain.length() / SceneTuning.AGAIN_LINK)));
-	}
-
-	/** First and last plus one of the longest run of set frames. */
-	private static int[] longest(final boolean[] set) {
-		int[] best = {0, 0};
-		int from = 0;
-		for (int t = 0; t <= set.length; t++)
-			if (t == set.length || !set[t]) {
-				if (t - from > best[1] - best[0])
-					best = new int[]{from, t};
-				from = t + 1;
-			}
-		return best;
 	}
 
 	/**

@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 
 import io.github.knotresolver.candidate.SceneTrails;
@@ -60,8 +62,8 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		final List<FrameView> crossed = best(seen.stream().filter(s -> s.crossings > 0).toList(),
 			Comparator.comparingInt(Seen::loose)
 				.thenComparing(Comparator.comparingInt(Seen::crossings).reversed()));
-		final Estimate line = kinds.stream().map(k -> learn(open, k, progress))
-			.min(Comparator.comparingDouble(l -> doubt(l, open, crossed))).orElseThrow();
+		final Estimate line = learn(new Looks(seen.stream().map(Seen::frame).toList(), open,
+			crossed.isEmpty() ? open : crossed), kinds, progress);
 		final List<FrameView> known = scaled.stream()
 			.map(f -> f.rescaled(line.background(), line.amplitude())).toList();
 		final double[] noise = known.stream().mapToDouble(f -> f.light().noise()).sorted()
@@ -106,6 +108,36 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 			.limit(SceneTuning.LINE_FRAMES).map(Seen::frame).toList();
 	}
 
+	/** Frames that were looked at, those that lie most open, and those with most crossings. */
+	private record Looks(List<FrameView> all, List<FrameView> open, List<FrameView> crossed) {
+	}
+
+	/**
+	 * The line, and whether it adds up. Where it saturates, ends may be blunt, or blurred by a
+	 * lens: open frames tell.
+	 */
+	private static Estimate learn(final Looks looks, final Collection<LineModel.Kind> kinds,
+		final Progress progress) {
+		if (!kinds.contains(LineModel.Kind.SATURATING))
+			return learn(looks.open, LineModel.Kind.ADDITIVE, progress);
+		final Optional<Estimate> additive = kinds.contains(LineModel.Kind.ADDITIVE)
+			? Optional.of(learn(looks.open, LineModel.Kind.ADDITIVE, progress))
+			: Optional.empty();
+		final OptionalDouble crossings = additive
+			.map(l -> CrossingLight.of(looks.all.stream()
+				.map(f -> f.rescaled(l.background(), l.amplitude())).toList()))
+			.orElse(OptionalDouble.empty());
+		if (crossings.isPresent() && crossings.getAsDouble() > SceneTuning.CROSSING_DOUBLE)
+			return additive.get();
+		final Estimate blunt = learn(looks.open, LineModel.Kind.SATURATING, progress);
+		final Estimate blurred = learn(looks.open, LineModel.Kind.BRIGHTEST, progress);
+		final Estimate saturating = blurred.residual() < blunt.residual() ? blurred : blunt;
+		// Without crossings, light adds up where a lens blurs the ends.
+		final Estimate rival = crossings.isPresent() ? saturating : blunt;
+		return additive.filter(a -> doubt(a, looks.crossed) <= doubt(rival, looks.crossed))
+			.orElse(saturating);
+	}
+
 	private static Estimate learn(final List<FrameView> frames, final LineModel.Kind kind,
 		final Progress progress) {
 		Estimate line = new Estimate(LineModel.uniform(kind, SceneTuning.FIRST_SIGMA, 1), 1, 0, 1,
@@ -139,10 +171,9 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		return examples;
 	}
 
-	/** What a line leaves unexplained, also where strands cross: there kinds differ most. */
-	private static double doubt(final Estimate line, final List<FrameView> open,
-		final List<FrameView> crossed) {
-		final List<Example> examples = examples(crossed.isEmpty() ? open : crossed, line);
+	/** What a line leaves unexplained where strands cross: there kinds differ most. */
+	private static double doubt(final Estimate line, final List<FrameView> crossed) {
+		final List<Example> examples = examples(crossed, line);
 		return examples.isEmpty()
 			? line.residual()
 			: LineEstimator.fit(examples, line.model()).residual();

@@ -97,6 +97,19 @@ record ScenePass(int start, List<List<Chain>> chains) {
 		return clear;
 	}
 
+	/** First and last plus one of the longest run of set frames. */
+	static int[] longestRun(final boolean[] set) {
+		int[] best = {0, 0};
+		int from = 0;
+		for (int t = 0; t <= set.length; t++)
+			if (t == set.length || !set[t]) {
+				if (t - from > best[1] - best[0])
+					best = new int[]{from, t};
+				from = t + 1;
+			}
+		return best;
+	}
+
 	/** Whether no light of another filament falls on one in a frame. */
 	boolean isAlone(final int k, final int t, final SceneLine line) {
 		final Scene scene = new Scene(line.frames().get(t).light(), line.tables(), chains.get(t));
@@ -135,14 +148,18 @@ record ScenePass(int start, List<List<Chain>> chains) {
 	 * passes the one with less is right, also about how many filaments there are.
 	 */
 	double price(final SceneLine line) {
-		final double noise = line.noise();
-		double sum = 0;
-		for (int t = 0; t < chains.size(); t++) {
-			final FrameView frame = line.frames().get(t);
-			final Scene scene = new Scene(frame.light(), line.tables(), chains.get(t));
-			sum += new Unexplained(scene, noise).within(scene.near(line.near(t)));
+		return Arrays.stream(left(line)).average().orElse(0) + priceOfFilaments();
+	}
+
+	/** What the pass does not explain in each frame. */
+	double[] left(final SceneLine line) {
+		final double[] left = new double[chains.size()];
+		for (int t = 0; t < left.length; t++) {
+			final Scene scene = new Scene(line.frames().get(t).light(), line.tables(),
+				chains.get(t));
+			left[t] = new Unexplained(scene, line.noise()).within(scene.near(line.near(t)));
 		}
-		return sum / chains.size() + priceOfFilaments();
+		return left;
 	}
 
 	double priceOfFilaments() {

@@ -84,7 +84,7 @@ public final class SceneResolver {
 		final SceneLine line = SceneLine.learn(frames, kinds, workers, progress);
 		final SceneWeights weights = SceneWeights.DEFAULT;
 		final SceneSeeds looks = new SceneSeeds(line, weights);
-		final List<Priced> passes = passes(line, weights, looks, looks.all(workers, progress));
+		final List<PricedPass> passes = passes(line, weights, looks, looks.all(workers, progress));
 		if (passes.isEmpty())
 			return Optional.empty();
 		final List<Settled> followed = new TailExchanges(line, weights, progress)
@@ -98,30 +98,33 @@ public final class SceneResolver {
 	/** Whether refinement can but make the only filament better, or a speck longer. */
 	private boolean isOneClamped(final SceneLine line, final List<Settled> followed) {
 		final double speck = SceneTuning.SCENE_SPECK * line.tables().model().sigma();
-		return followed.stream().filter(f -> f.chains().get(0).length() >= speck).count() == 1
-			&& SceneTracks
-				.of(line, followed, ScenePass.of(followed).clear(line, workers), AnchorChoice.AUTO)
-				.isOneClamped();
+		if (followed.stream().filter(f -> f.chains().get(0).length() >= speck).count() != 1)
+			return false;
+		final boolean[][] clear = ScenePass.of(followed).clear(line, workers);
+		final SceneTracks tracks = SceneTracks.of(line, followed, clear, AnchorChoice.AUTO);
+		return tracks.isOneClamped()
+			&& (tracks.filaments().get(0).clamped() || !isCredible(clear));
 	}
 
-	/** A pass with its price, and what of it is unexplained light. */
-	private record Priced(ScenePass pass, double price) {
-		double unexplained() {
-			return price - pass.priceOfFilaments();
+	/** Whether little is left to be made better of what was followed. */
+	private static boolean isCredible(final boolean[][] clear) {
+		int frames = 0;
+		for (int t = 0; t < clear[0].length; t++) {
+			boolean all = true;
+			for (final boolean[] c : clear)
+				all &= c[t];
+			frames += all ? 1 : 0;
 		}
-
-		boolean isClear() {
-			return unexplained() < SceneTuning.CLEAR_PASS * pass.filaments();
-		}
+		return frames >= SceneTuning.CREDIBLE * clear[0].length;
 	}
 
 	/**
 	 * Passes from the best seeds, until one explains everything; the cheapest first. What a
 	 * pass confirms is known when the next seed is looked for.
 	 */
-	private List<Priced> passes(final SceneLine line, final SceneWeights weights,
+	private List<PricedPass> passes(final SceneLine line, final SceneWeights weights,
 		final SceneSeeds looks, final List<SceneSeed> first) {
-		final List<Priced> passes = new ArrayList<>();
+		final List<PricedPass> passes = new ArrayList<>();
 		final List<SceneSeed> used = new ArrayList<>();
 		final ScenePool pool = new ScenePool(line);
 		Optional<SceneSeed> seed = first.stream().findFirst();
@@ -132,7 +135,7 @@ public final class SceneResolver {
 			if (!seed.get().chains().isEmpty()) {
 				final ScenePass pass = ScenePass.from(seed.get().frame(), seed.get().chains(), line,
 					weights, progress);
-				final Priced priced = new Priced(pass, pass.price(line));
+				final PricedPass priced = new PricedPass(pass, pass.left(line));
 				passes.add(priced);
 				show(pass, line);
 				if (pool.add(pass, workers) && priced.isClear())
@@ -140,7 +143,7 @@ public final class SceneResolver {
 			}
 			seed = looks.next(first, used, pool, workers, progress);
 		}
-		passes.sort(Comparator.comparingDouble(Priced::price));
+		PricedPass.sort(passes);
 		withBetterLengths(line, weights, passes);
 		return passes;
 	}
@@ -153,14 +156,14 @@ public final class SceneResolver {
 
 	/** The best pass once more, with the lengths that it tells. */
 	private void withBetterLengths(final SceneLine line, final SceneWeights weights,
-		final List<Priced> passes) {
+		final List<PricedPass> passes) {
 		if (passes.isEmpty())
 			return;
-		final ScenePass best = passes.get(0).pass;
+		final ScenePass best = passes.get(0).pass();
 		new SceneLengths(line, weights).corrected(best, workers)
 			.map(chains -> ScenePass.from(best.start(), chains, line, weights, progress))
-			.ifPresent(again -> passes.add(new Priced(again, again.price(line))));
-		passes.sort(Comparator.comparingDouble(Priced::price));
+			.ifPresent(again -> passes.add(new PricedPass(again, again.left(line))));
+		PricedPass.sort(passes);
 	}
 
 	/** The filaments with standard errors of their lengths, in doubt where a length changes. */
@@ -185,10 +188,10 @@ public final class SceneResolver {
 
 	/** The settled movie if it explains visibly more than the best pass; otherwise that. */
 	private List<Settled> settled(final SceneLine line, final SceneWeights weights,
-		final List<Priced> passes) {
-		final Priced best = passes.get(0);
+		final List<PricedPass> passes) {
+		final PricedPass best = passes.get(0);
 		final List<ScenePass> some = passes.stream()
-			.limit(best.isClear() ? 1 : SceneTuning.SETTLED_PASSES).map(Priced::pass).toList();
+			.limit(best.isClear() ? 1 : SceneTuning.SETTLED_PASSES).map(PricedPass::pass).toList();
 		final SceneSettler settler = new SceneSettler(line, weights, some);
 		final List<Settled> settled = settler.settle(progress);
 		if (some.size() == 1)

@@ -526,6 +526,24 @@ final class SceneTuning {
 	 */
 	static final int LINE_RIM = 2;
 
+	/** [junctions] Fewer do not tell whether light adds up. Why: some may be two ends that touch. */
+	static final int CROSSINGS_FEWEST = 5;
+
+	/**
+	 * [share] This quantile of the light at junctions is that of a crossing. Why: at most of them
+	 * strands only come near each other, which is as bright as one.
+	 */
+	static final double CROSSINGS_QUANTILE = 0.9;
+
+	/** [px] A crossing is brightest this near to its junction. Why: a line's width. */
+	static final int CROSSING_NEAR = 2;
+
+	/**
+	 * [strands] Where crossings are brighter, light adds up. Why: half-way between one strand and
+	 * two.
+	 */
+	static final double CROSSING_DOUBLE = 1.5;
+
 	/** [px] Light of an object reaches so far. Why: two widths of a usual line. */
 	static final int LINE_NEAR = 3;
 

@@ -122,6 +122,22 @@ class ImageTermTest {
 		assertEquals(1, picture[30 * SIZE + 30], 0.05);
 	}
 
+	@Test
+	void endsThatALensBlursAreThoseOfLightThatAddsUp() {
+		final Chain rod = Chain.along(Polyline.of(new double[]{15.3, 44.8}, new double[]{20, 37}),
+			LINKS, 34.05);
+		final double[] x = new double[LINKS + 1], y = new double[LINKS + 1];
+		rod.nodes(x, y);
+		final NormalizedFrame dark = new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]);
+		final double[][] pictures = new double[2][SIZE * SIZE];
+		for (int k = 0; k < 2; k++)
+			ImageTerm
+				.of(dark, LineModel.uniform(
+					k == 0 ? LineModel.Kind.ADDITIVE : LineModel.Kind.BRIGHTEST, 1.5, 1), LINKS)
+				.draw(x, y, LINKS, Patch.of(dark), pictures[k]);
+		assertArrayEquals(pictures[0], pictures[1], 0.01);
+	}
+
 	private static LineModel model(final LineModel.Kind kind) {
 		return LineModel.uniform(kind, 1.7, kind == LineModel.Kind.ADDITIVE ? 1 : 1.5);
 	}

@@ -5,8 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.LineModel;
@@ -48,6 +51,38 @@ class SceneLineTest {
 			frames.add(frame(t, drawn));
 		return SceneLine.learn(frames, List.of(Kind.ADDITIVE), Workers.HERE, Progress.NONE).tables()
 			.model().sigma();
+	}
+
+	/** Three filaments that cross each other, and what is brighter than half of one. */
+	private static FrameView crossed(final int t, final LineModel line) {
+		final NormalizedFrame dark = new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]);
+		final List<Chain> chains = List.of(
+			Chain.inScene(Polyline.of(new double[]{15, 105}, new double[]{30 + t, 40}), 91),
+			Chain.inScene(Polyline.of(new double[]{30, 35 + t}, new double[]{15, 105}), 90),
+			Chain.inScene(Polyline.of(new double[]{90 - t, 60}, new double[]{20, 105}), 90));
+		final Random random = new Random(t);
+		final double[] light = new Scene(dark, LineTables.together(line), chains).residual()
+			.pixels();
+		final boolean[] bright = new boolean[light.length];
+		for (int i = 0; i < light.length; i++) {
+			bright[i] = light[i] < -0.5;
+			light[i] = 0.05 * random.nextGaussian() - light[i];
+		}
+		return new FrameView(t + 1, new NormalizedFrame(SIZE, SIZE, light),
+			Pixels.mask(bright, SIZE),
+			SkeletonGraph.of(Skeletonize.thin(Pixels.mask(bright, SIZE))));
+	}
+
+	@ParameterizedTest
+	@CsvSource({"ADDITIVE,1", "BRIGHTEST,1", "SATURATING,1.8"})
+	void crossingsTellWhetherLightAddsUpAndEndsWhetherTheyAreBlurred(final Kind kind,
+		final double power) {
+		final List<FrameView> frames = new ArrayList<>();
+		for (int t = 0; t < 6; t++)
+			frames.add(crossed(t, LineModel.uniform(kind, 1.4, power)));
+		assertEquals(kind,
+			SceneLine.learn(frames, List.of(Kind.SATURATING, Kind.ADDITIVE), Workers.HERE,
+				Progress.NONE).tables().model().kind());
 	}
 
 	@Test

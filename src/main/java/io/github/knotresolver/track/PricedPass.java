@@ -1,0 +1,63 @@
+
+package io.github.knotresolver.track;
+
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+
+/**
+ * A pass and what it costs.
+ *
+ * @param pass all filaments in all frames
+ * @param left the light that it does not explain in each frame, in strands squared
+ */
+record PricedPass(ScenePass pass, double[] left) {
+
+	/** What it leaves in a frame, and a price for every filament. */
+	double price() {
+		return unexplained() + pass.priceOfFilaments();
+	}
+
+	/** What it leaves in a frame. */
+	double unexplained() {
+		return Arrays.stream(left).average().orElse(0);
+	}
+
+	/** Whether hardly any light is left in any frame. */
+	boolean isClear() {
+		return unexplained() < SceneTuning.CLEAR_PASS * pass.filaments();
+	}
+
+	/** In how many frames all light is explained. */
+	int explained() {
+		return (int) Arrays.stream(left)
+			.filter(l -> l <= SceneTuning.UNCLEAR_LIGHT * pass.filaments()).count();
+	}
+
+	/**
+	 * The best pass first, the others by their price. How many filaments there are, and how long,
+	 * is told by the frames in which all light is explained, not by how much is left where
+	 * filaments are lost: a pass with as many filaments as the cheapest that explains clearly more
+	 * frames is better, and so is one with fewer that explains nearly as many.
+	 *
+	 * @param passes at least one; they are sorted in place
+	 */
+	static void sort(final List<PricedPass> passes) {
+		passes.sort(Comparator.comparingDouble(PricedPass::price));
+		PricedPass best = passes.get(0);
+		if (best.isClear())
+			return;
+		for (final PricedPass p : passes)
+			if (p.explained() >= SceneTuning.AGAIN_CLEAR && p.tellsMoreThan(best))
+				best = p;
+		passes.remove(best);
+		passes.add(0, best);
+	}
+
+	private boolean tellsMoreThan(final PricedPass other) {
+		return pass.filaments() == other.pass.filaments()
+			? explained() >= other.explained() + SceneTuning.AGAIN_CLEAR
+			: pass.filaments() < other.pass.filaments()
+				&& explained() >= SceneTuning.VISIBLY_LESS * other.explained();
+	}
+}
