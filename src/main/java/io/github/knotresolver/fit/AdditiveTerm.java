@@ -7,11 +7,15 @@ import java.util.Arrays;
  * The additive line model: a pixel sees the sum over all links of the line
  * integral of a Gaussian point spread function, which for one link is
  * exp(-n²/2σ²) (erf(t/√2σ) - erf((t-l)/√2σ)) / 2, with t along and n across the
- * link. An infinite straight line has the value 1 on its ridge.
+ * link. An infinite straight line has the value 1 on its ridge. Where only the brightest
+ * filament is seen, the sum is cut off at 1, and not seen where another one is brighter.
  */
 final class AdditiveTerm implements ImageTerm {
 
 	private final DrawnPart part;
+	private final boolean cutOff;
+	private final double[] others;
+	private final int width;
 	private final double[] brightness;
 	private final double sigma2;
 	private final double reach;
@@ -25,7 +29,7 @@ final class AdditiveTerm implements ImageTerm {
 	// For each pixel of the part; as if nothing was drawn whenever a chain has been looked at.
 	private Patch patch;
 	private NormalizedFrame frame;
-	private double[] pixels, model;
+	private double[] pixels, model, drawn;
 	private int[] head, band;
 	private int bandSize;
 
@@ -38,9 +42,22 @@ final class AdditiveTerm implements ImageTerm {
 	private int[] nodes = new int[64];
 	private double[] jacobian = new double[128];
 
-	AdditiveTerm(final NormalizedFrame frame, final LineTables line, final int links) {
+	/**
+	 * @param frame the frame, less what is drawn already if all adds up
+	 * @param line the line
+	 * @param links number of links
+	 * @param others of a line that is cut off, for every pixel the light of what is drawn already;
+	 *          empty if that is nothing
+	 */
+	AdditiveTerm(final NormalizedFrame frame, final LineTables line, final int links,
+		final double[] others) {
 		part = new DrawnPart(frame);
+		cutOff = line.model().kind() == LineModel.Kind.BRIGHTEST;
+		this.others = others;
+		width = frame.width();
 		brightness = line.model().brightnessOfLinks(links);
+		for (int i = 0; cutOff && i < links; i++)
+			brightness[i] *= line.model().power();
 		sigma2 = line.model().sigma() * line.model().sigma();
 		reach = line.reach();
 		gauss = line.across();
@@ -57,6 +74,9 @@ final class AdditiveTerm implements ImageTerm {
 		frame = part.view();
 		pixels = frame.pixels();
 		model = new double[pixels.length];
+		drawn = cutOff && others.length > 0
+			? patch.cut(others, width)
+			: new double[cutOff ? pixels.length : 0];
 		head = new int[pixels.length];
 		Arrays.fill(head, -1);
 		band = new int[pixels.length];
@@ -73,9 +93,13 @@ final class AdditiveTerm implements ImageTerm {
 		double sum = 0;
 		for (int b = 0; b < bandSize; b++) {
 			final int at = band[b];
-			final double residual = frame.residual(at, pixels[at], model[at]);
-			sum += robust.price(residual) - robust.price(pixels[at]);
-			if (system != null && !frame.hides(at, model[at]))
+			final double dark = cutOff ? drawn[at] : 0;
+			final double residual = cutOff
+				? pixels[at] - Math.max(dark, Math.min(1, model[at]))
+				: frame.residual(at, pixels[at], model[at]);
+			sum += robust.price(residual) - robust.price(pixels[at] - dark);
+			if (system != null
+				&& (cutOff ? model[at] > dark && model[at] < 1 : !frame.hides(at, model[at])))
 				addPixel(at, residual, system);
 			model[at] = 0;
 			head[at] = -1;
@@ -96,7 +120,7 @@ final class AdditiveTerm implements ImageTerm {
 		for (int b = 0; b < bandSize; b++) {
 			final int at = band[b], there = to.at(at, patch);
 			if (there >= 0)
-				picture[there] = model[at];
+				picture[there] = cutOff ? Math.min(1, model[at]) : model[at];
 			model[at] = 0;
 			head[at] = -1;
 		}

@@ -56,8 +56,8 @@ interface ImageTerm {
 	static ImageTerm of(final NormalizedFrame frame, final LineTables line, final int links,
 		final double[] others) {
 		return switch (line.model().kind()) {
-			case SATURATING, BRIGHTEST -> new SaturatingTerm(frame, line, links, others);
-			case ADDITIVE -> new AdditiveTerm(frame, line, links);
+			case SATURATING -> new SaturatingTerm(frame, line, links, others);
+			case BRIGHTEST, ADDITIVE -> new AdditiveTerm(frame, line, links, others);
 		};
 	}
 }

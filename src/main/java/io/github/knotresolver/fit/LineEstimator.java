@@ -131,7 +131,7 @@ public final class LineEstimator {
 		final double[] guess = additive ? new double[]{sigma} : new double[]{sigma, 1.5};
 		final double[] spread = additive ? new double[]{0.3} : new double[]{0.3, 0.4};
 		final double[] best = new SimplexSearch(1e-4, 1e-6, FitTuning.SEARCH_STEPS, progress)
-			.lowest(p -> fit(examples, model(kind, p)).misfit(examples) + outside(p), guess,
+			.lowest(p -> fit(examples, model(kind, p)).misfit(examples) + outside(kind, p), guess,
 				spread);
 		return fit(examples, model(kind, best));
 	}
@@ -139,14 +139,19 @@ public final class LineEstimator {
 	private static LineModel model(final LineModel.Kind kind, final double[] p) {
 		return LineModel.uniform(kind,
 			clamp(p[0], FitTuning.SMALLEST_WIDTH, FitTuning.LARGEST_WIDTH),
-			p.length > 1 ? clamp(p[1], FitTuning.SMALLEST_POWER, FitTuning.LARGEST_POWER) : 1);
+			p.length > 1 ? clamp(p[1], lowest(kind), FitTuning.LARGEST_POWER) : 1);
 	}
 
-	private static double outside(final double[] p) {
+	/** What is cut off is no darker than where. */
+	private static double lowest(final LineModel.Kind kind) {
+		return kind == LineModel.Kind.BRIGHTEST ? 1 : FitTuning.SMALLEST_POWER;
+	}
+
+	private static double outside(final LineModel.Kind kind, final double[] p) {
 		double off = Math
 			.abs(p[0] - clamp(p[0], FitTuning.SMALLEST_WIDTH, FitTuning.LARGEST_WIDTH));
 		if (p.length > 1)
-			off += Math.abs(p[1] - clamp(p[1], FitTuning.SMALLEST_POWER, FitTuning.LARGEST_POWER));
+			off += Math.abs(p[1] - clamp(p[1], lowest(kind), FitTuning.LARGEST_POWER));
 		return off;
 	}
 

@@ -10,8 +10,8 @@ import java.util.Locale;
  * <li>{@link Kind#SATURATING}: a pixel's value depends on its distance d to the
  * nearest point of the curve, exp(-(d²/2σ²)^p): strands that cross are not
  * brighter (clipped or thresholded pictures, dilated skeletons);</li>
- * <li>{@link Kind#BRIGHTEST}: the same, but for its ends: they are those of a lens, as where
- * light adds up, cut off with it;</li>
+ * <li>{@link Kind#BRIGHTEST}: the light of a filament adds up as through a lens, and is cut off
+ * at 1; of several filaments the brightest is seen;</li>
  * <li>{@link Kind#ADDITIVE}: every strand adds its light, the line integral of a
  * Gaussian point spread function: strands that cross are brighter
  * (fluorescence in its linear range).</li>
@@ -19,8 +19,8 @@ import java.util.Locale;
  *
  * @param kind how strands add up
  * @param sigma width σ in pixels, above 0
- * @param power p of the saturating profile (1 is a Gaussian, larger is flatter);
- *          1 for the additive model
+ * @param power p of the saturating profile (1 is a Gaussian, larger is flatter); of one that is
+ *          cut off, how many times as bright it would be without; 1 for the additive model
  * @param brightness relative brightness along the filament, at equal spacing from
  *          the fixed end to the free tip, at least one value
  */
@@ -31,7 +31,7 @@ public record LineModel(Kind kind, double sigma, double power, double[] brightne
 
 		/** A crossing is as bright as one strand; ends are blunt. */
 		SATURATING,
-		/** A crossing is as bright as one strand; ends are blurred by a lens. */
+		/** A crossing is as bright as one strand; ends and strands side by side are a lens's. */
 		BRIGHTEST,
 		/** A crossing is as bright as its strands together. */
 		ADDITIVE

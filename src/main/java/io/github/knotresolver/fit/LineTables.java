@@ -4,7 +4,6 @@ package io.github.knotresolver.fit;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.Optional;
 
 import org.apache.commons.math3.special.Erf;
 
@@ -37,23 +36,19 @@ public final class LineTables {
 	}
 
 	/** Functions of a line. */
-	private record Curves(Table across, Table along, Optional<BlurredEnd> end) {
+	private record Curves(Table across, Table along) {
 
 		static Curves of(final Key key) {
 			final double sigma2 = key.sigma * key.sigma, reach = key.reach;
-			if (key.kind == LineModel.Kind.ADDITIVE)
+			if (key.kind != LineModel.Kind.SATURATING)
 				return new Curves(new Table(reach * reach, d2 -> Math.exp(-d2 / (2 * sigma2))),
-					new Table(reach, d -> 0.5 * Erf.erfc(d / Math.sqrt(2 * sigma2))),
-					Optional.empty());
+					new Table(reach, d -> 0.5 * Erf.erfc(d / Math.sqrt(2 * sigma2))));
 			final double k = 1 / (2 * key.sigma * key.sigma), p = key.power;
 			// Shifted by a thousandth, so that the price has no step where the band ends.
 			final double rim = Math.exp(-Math.pow(k * reach * reach, p));
 			return new Curves(new Table(reach * reach, d2 -> Math.exp(-Math.pow(k * d2, p)) - rim),
 				new Table(reach * reach, d2 -> -p * k * Math.pow(Math.max(k * d2, 1e-9), p - 1)
-					* Math.exp(-Math.pow(k * d2, p))),
-				key.kind == LineModel.Kind.BRIGHTEST
-					? Optional.of(new BlurredEnd(key.sigma, p, reach))
-					: Optional.empty());
+					* Math.exp(-Math.pow(k * d2, p))));
 		}
 	}
 
@@ -64,7 +59,7 @@ public final class LineTables {
 	LineTables(final LineModel model, final Robust robust) {
 		this.model = model;
 		this.robust = robust;
-		reach = model.kind() == LineModel.Kind.ADDITIVE
+		reach = model.kind() != LineModel.Kind.SATURATING
 			? model.sigma()
 				* (robust == Robust.TOGETHER ? FitTuning.SCENE_REACH : FitTuning.ADDITIVE_REACH)
 			: model.reach();
@@ -110,15 +105,10 @@ public final class LineTables {
 	}
 
 	/**
-	 * Additive: the share of a Gaussian beyond a distance; saturating: the slope of
+	 * Of a lens: the share of a Gaussian beyond a distance; saturating: the slope of
 	 * {@link #across()}.
 	 */
 	Table along() {
 		return curves.along;
-	}
-
-	/** How the light ends; empty where light adds up, or ends are blunt. */
-	Optional<BlurredEnd> end() {
-		return curves.end;
 	}
 }

@@ -26,7 +26,6 @@ final class SaturatingTerm implements ImageTerm {
 	private final double[] brightness;
 	private final Table profile;
 	private final Table slope;
-	private final BlurredEnd ending;
 	private final Robust robust;
 	private final double[] others;
 	private final Strip strip = new Strip();
@@ -56,7 +55,6 @@ final class SaturatingTerm implements ImageTerm {
 		brightness = line.model().brightnessOfLinks(links);
 		profile = line.across();
 		slope = line.along();
-		ending = line.end().orElse(null);
 		robust = line.robust();
 	}
 
@@ -91,32 +89,26 @@ final class SaturatingTerm implements ImageTerm {
 			final double residual = pixels[at] - Math.max(drawn[at], value);
 			sum += robust.price(residual) - robust.price(pixels[at] - drawn[at]);
 			if (system != null && value > drawn[at])
-				addPixel(at, i, links, x, y, residual, system);
+				addPixel(at, i, x, y, residual, system);
 			distance2[at] = reach * reach;
 		}
 		return sum;
 	}
 
-	private void addPixel(final int at, final int i, final int links, final double[] x,
-		final double[] y, final double residual, final NodeSystem system) {
+	private void addPixel(final int at, final int i, final double[] x, final double[] y,
+		final double residual, final NodeSystem system) {
 		final double t = along[at];
 		final double dx = at % patch.width() + patch.left() - x[i] - t * (x[i + 1] - x[i]);
 		final double dy = at / patch.width() + patch.top() - y[i] - t * (y[i + 1] - y[i]);
 		final double k = -2 * brightness[i] * slope.at(distance2[at]);
 		nodes[0] = i + 1;
 		nodes[1] = i;
-		final double lx = x[i + 1] - x[i], ly = y[i + 1] - y[i];
-		// The nodes fall.
-		if (ending == null && (t == 0 && i == 0 || t == 1 && i == links - 1))
-			slopeOfEnd(dx, dy, t == 0, lx, ly, k);
+		// The nodes fall, and the system has two unknowns a node.
+		final boolean end = t == 0 && i == 0 || t == 1 && 2 * i + 4 == system.size;
+		if (end)
+			slopeOfEnd(dx, dy, t == 0, x[i + 1] - x[i], y[i + 1] - y[i], k);
 		else
 			slopeOfLink(dx, dy, t, k);
-		if (ending != null) {
-			slopeOfBlur(dx, dy, i, t, lx, ly, -0.5 * k);
-			turnRound();
-			slopeOfBlur(dx, dy, links - 1 - i, 1 - t, -lx, -ly, -0.5 * k);
-			turnRound();
-		}
 		system.add(nodes, jacobian, 2, robust.weight(residual), residual);
 	}
 
@@ -140,32 +132,6 @@ final class SaturatingTerm implements ImageTerm {
 		jacobian[1] = (first ? 0 : ownY) - turn * lx;
 		jacobian[2] = (first ? ownX : 0) - turn * ly;
 		jacobian[3] = (first ? ownY : 0) + turn * lx;
-	}
-
-	/**
-	 * Slopes by how far before the first node a pixel is: links are equally long, so that its own
-	 * tells the length of those before it.
-	 */
-	private void slopeOfBlur(final double dx, final double dy, final int linksBefore,
-		final double t, final double lx, final double ly, final double k) {
-		final double l = Math.sqrt(lx * lx + ly * ly), before = (linksBefore + t) * l;
-		if (before >= ending.felt())
-			return;
-		final double f = k * ending.slope(before) / l;
-		final double ownX = f * (linksBefore * lx + dx), ownY = f * (linksBefore * ly + dy);
-		jacobian[0] += ownX;
-		jacobian[1] += ownY;
-		jacobian[2] -= ownX + f * lx;
-		jacobian[3] -= ownY + f * ly;
-	}
-
-	/** Exchanges the slopes by the two nodes. */
-	private void turnRound() {
-		for (int i = 0; i < 2; i++) {
-			final double first = jacobian[i];
-			jacobian[i] = jacobian[i + 2];
-			jacobian[i + 2] = first;
-		}
 	}
 
 	@Override
@@ -202,10 +168,6 @@ final class SaturatingTerm implements ImageTerm {
 		final double ax = x[i], ay = y[i], bx = x[i + 1] - ax, by = y[i + 1] - ay;
 		final double l = Math.sqrt(bx * bx + by * by), ux = bx / l, uy = by / l;
 		final boolean isFirst = i == 0, isLast = i == links - 1;
-		final double lowest = isFirst && ending != null ? Double.NEGATIVE_INFINITY : 0;
-		final double highest = isLast && ending != null ? Double.POSITIVE_INFINITY : l;
-		final boolean isBlurred = ending != null
-			&& Math.min(i, links - 1 - i) * l < ending.felt();
 		strip.lay(ax, ay, ux, uy, isFirst ? -reach : -wedge(x, y, i),
 			l + (isLast ? reach : wedge(x, y, i + 1)), reach);
 		final int lastRow = strip.lastRow();
@@ -216,13 +178,11 @@ final class SaturatingTerm implements ImageTerm {
 			final int lastColumn = strip.lastColumn();
 			for (int column = strip.firstColumn(); column <= lastColumn; column++) {
 				final double px = column - ax, free = px * ux + py * uy;
-				final double s = Math.max(lowest, Math.min(highest, free));
+				final double s = Math.max(0, Math.min(l, free));
 				final double dx = px - s * ux, dy = py - s * uy;
 				final double beyond = (s == 0 ? isFirst : isLast) ? free - s : 0;
-				double d2 = dx * dx + dy * dy + END_STRETCH * beyond * beyond;
-				if (isBlurred)
-					d2 += ending.farther(i * l + s) + ending.farther((links - i) * l - s);
-				visitPixel(begin + column, i, s / l, d2);
+				visitPixel(begin + column, i, s / l,
+					dx * dx + dy * dy + END_STRETCH * beyond * beyond);
 			}
 		}
 	}
