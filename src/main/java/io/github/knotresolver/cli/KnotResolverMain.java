@@ -134,9 +134,8 @@ public final class KnotResolverMain implements Runnable {
 
 	private static int refuse(final PrintWriter err, final ParameterException e) {
 		if (e.getValue() != null && e.getArgSpec() instanceof OptionSpec option)
-			return oneLine(err,
-				OptionText.refusal(option.longestName(), kind(option.type()), e.getValue())
-					.getMessage(),
+			return oneLine(err, OptionText
+				.refusal(option.longestName(), kind(option.type()), e.getValue()).getMessage(),
 				ExitStatus.USAGE);
 		final boolean ours = e.getCause() instanceof UserException;
 		if (ours)

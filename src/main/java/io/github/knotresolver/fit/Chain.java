@@ -396,7 +396,8 @@ public final class Chain {
 	 */
 	public double squaredTurn(final Chain other) {
 		final int middle = theta.length / 2;
-		final double full = Angles.nearest(other.theta[middle], theta[middle]) - other.theta[middle];
+		final double full = Angles.nearest(other.theta[middle], theta[middle])
+			- other.theta[middle];
 		double sum = 0;
 		for (int i = 0; i < theta.length; i++) {
 			final double d = theta[i] - other.theta[i] - full;

@@ -135,11 +135,12 @@ public final class FilamentEstimator {
 				final EndLight ends = new EndLight(frame, line.model(), frame.noise());
 				final List<Chain> ways = new ArrayList<>(List.of(e.chain()));
 				for (final Polyline other : sightings.get(i).others)
-					ways.add(fit(frame, line, fit(frame, line, chain(other), start(i), stiff()).chain(),
-						start(i), endsFree).chain());
-				return new Example(e.frame(), ways.stream()
-					.map(w -> fit(frame, line, ends.settled(w), start(i), endsFree))
-					.min(Comparator.comparingDouble(Fit::energy)).orElseThrow().chain());
+					ways.add(
+						fit(frame, line, fit(frame, line, chain(other), start(i), stiff()).chain(),
+							start(i), endsFree).chain());
+				return new Example(e.frame(),
+					ways.stream().map(w -> fit(frame, line, ends.settled(w), start(i), endsFree))
+						.min(Comparator.comparingDouble(Fit::energy)).orElseThrow().chain());
 			});
 		}
 

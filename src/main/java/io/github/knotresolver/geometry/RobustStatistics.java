@@ -23,10 +23,19 @@ public final class RobustStatistics {
 	 * @return the middle one, or the mean of the two in the middle; NaN if there is none. O(n log n)
 	 */
 	public static double median(final double[] values) {
+		return median(values, Double.NaN);
+	}
+
+	/**
+	 * @param values in any order; not changed
+	 * @param none the median of nothing
+	 * @return the middle one, or the mean of the two in the middle. O(n log n)
+	 */
+	public static double median(final double[] values, final double none) {
 		final double[] sorted = values.clone();
 		Arrays.sort(sorted);
 		return sorted.length == 0
-			? Double.NaN
+			? none
 			: 0.5 * (sorted[(sorted.length - 1) / 2] + sorted[sorted.length / 2]);
 	}
 

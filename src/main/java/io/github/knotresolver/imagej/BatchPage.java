@@ -118,9 +118,9 @@ final class BatchPage {
 		final Optional<BufferedImage> montage = SmallPicture.read(folder.resolve(MONTAGE),
 			THUMBNAIL);
 		if (montage.isPresent())
-			html.write("<a href=\"" + link(name, MONTAGE)
-				+ "\"><img class=\"montage\" alt=\"Montage of " + text(name) + "\" src=\""
-				+ embedded(montage.get(), "jpeg") + "\" /></a>\n");
+			html.write(
+				"<a href=\"" + link(name, MONTAGE) + "\"><img class=\"montage\" alt=\"Montage of "
+					+ text(name) + "\" src=\"" + embedded(montage.get(), "jpeg") + "\" /></a>\n");
 		final Optional<ResultDigest> digest = ResultDigest.read(folder).filter(d -> d.frames() > 0);
 		if (digest.isPresent())
 			tables(digest.get());
@@ -144,8 +144,8 @@ final class BatchPage {
 	private void tables(final ResultDigest digest) throws IOException {
 		final BufferedImage strip = ConfidenceRows.of(digest);
 		html.write("<img class=\"strip\" style=\"height: " + (6 + 8 * strip.getHeight())
-			+ "px\" alt=\"Confidence of each frame\" src=\"" + embedded(strip, "png")
-			+ "\" />\n<p>" + digest.resolved() + " of " + digest.frames() + " frames, length "
+			+ "px\" alt=\"Confidence of each frame\" src=\"" + embedded(strip, "png") + "\" />\n<p>"
+			+ digest.resolved() + " of " + digest.frames() + " frames, length "
 			+ text(digest.filaments().stream()
 				.map(f -> f.length().isEmpty() ? "not known" : f.length())
 				.collect(Collectors.joining(", ")))

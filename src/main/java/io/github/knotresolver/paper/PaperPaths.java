@@ -45,8 +45,7 @@ final class PaperPaths {
 				paths.addAll(combined(via, last));
 		}
 		final Set<List<Step>> walks = new LinkedHashSet<>();
-		trace.flatMap(TemplateTrace::roughPath).flatMap(this::steps)
-			.ifPresent(walks::add);
+		trace.flatMap(TemplateTrace::roughPath).flatMap(this::steps).ifPresent(walks::add);
 		kept(paths, keys).forEach(p -> walks.add(steps(p).orElseThrow()));
 		return walks;
 	}

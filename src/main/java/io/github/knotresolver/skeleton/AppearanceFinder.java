@@ -139,10 +139,12 @@ public final class AppearanceFinder {
 			.filter(c -> c > 0).toArray();
 		if (clarities.length == 0)
 			return appearance;
-		appearance = appearance.asFineAsNoiseAllows(median(clarities));
+		appearance = appearance.asFineAsNoiseAllows(RobustStatistics.median(clarities, 0));
 		final double[] strengths = looks(sample, appearance).stream().mapToDouble(Look::strength)
 			.filter(s -> s > 0).toArray();
-		return strengths.length == 0 ? appearance : appearance.withReference(median(strengths));
+		return strengths.length == 0
+			? appearance
+			: appearance.withReference(RobustStatistics.median(strengths));
 	}
 
 	private static LineAppearance withWidth(final LineAppearance before, final List<Look> looks) {
@@ -170,15 +172,10 @@ public final class AppearanceFinder {
 			if (part.length > longest.length)
 				longest = part;
 		final int[] all = EvidenceFinder.inside(line, line.pixels());
-		return new Look(CrossProfile.of(ridges, all),
-			median(Arrays.stream(all).mapToDouble(ridges::z).toArray()),
-			median(Arrays.stream(EvidenceFinder.inside(line, longest)).mapToDouble(ridges::strength)
-				.toArray()),
-			all);
-	}
-
-	/** @return the median; 0 of nothing */
-	private static double median(final double[] values) {
-		return values.length == 0 ? 0 : RobustStatistics.median(values);
+		final double[] clarity = Arrays.stream(all).mapToDouble(ridges::z).toArray(),
+			strength = Arrays.stream(EvidenceFinder.inside(line, longest))
+				.mapToDouble(ridges::strength).toArray();
+		return new Look(CrossProfile.of(ridges, all), RobustStatistics.median(clarity, 0),
+			RobustStatistics.median(strength, 0), all);
 	}
 }

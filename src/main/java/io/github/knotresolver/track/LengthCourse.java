@@ -126,7 +126,7 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 			this.seen = seen;
 			this.known = known;
 			this.frames = frames;
-			error = Math.max(TrackTuning.LENGTH_ERROR * median(known), noise());
+			error = Math.max(TrackTuning.LENGTH_ERROR * RobustStatistics.median(known, 0), noise());
 		}
 
 		/** Standard deviation of a length from the mean of its neighbours in time. */
@@ -134,7 +134,7 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 			final double[] off = IntStream.range(1, known.length - 1)
 				.mapToDouble(i -> Math.abs(known[i] - 0.5 * (known[i - 1] + known[i + 1])))
 				.toArray();
-			return RobustStatistics.MAD_TO_SD * median(off) / Math.sqrt(1.5);
+			return RobustStatistics.MAD_TO_SD * RobustStatistics.median(off, 0) / Math.sqrt(1.5);
 		}
 
 		private Stream<LengthCourse> broken() {
@@ -146,7 +146,8 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 		/** A length that changes at all may do so by turns. */
 		LengthCourse best() {
 			final LengthCourse first = Stream
-				.concat(Stream.of(constant(median(known), frames), steady(), wandering()), broken())
+				.concat(Stream.of(constant(RobustStatistics.median(known, 0), frames), steady(),
+					wandering()), broken())
 				.min(Comparator.comparingDouble(c -> price(c, 0, false))).orElseThrow();
 			if (first.kind == Kind.CONSTANT)
 				return first;
@@ -203,12 +204,10 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 		private LengthCourse broken(final int first, final boolean steady) {
 			Cancellation.check();
 			final int at = (seen[first - 1] + seen[first] + 1) / 2;
-			final RobustLine before = steady
-				? line(0, first)
-				: new RobustLine(median(Arrays.copyOfRange(known, 0, first)), 0);
+			final RobustLine before = steady ? line(0, first) : level(0, first);
 			final RobustLine after = steady
 				? line(first, known.length)
-				: new RobustLine(median(Arrays.copyOfRange(known, first, known.length)), 0);
+				: level(first, known.length);
 			final double[] lengths = new double[frames], others = new double[frames];
 			fill(lengths, 0, at, before);
 			fill(lengths, at, frames, after);
@@ -229,6 +228,11 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 			return unbroken(RandomWalk.through(all, errors).mean(), Kind.WANDERING);
 		}
 
+		private RobustLine level(final int from, final int to) {
+			return new RobustLine(RobustStatistics.median(Arrays.copyOfRange(known, from, to), 0),
+				0);
+		}
+
 		private RobustLine line(final int from, final int to) {
 			return RobustLine.through(IntStream.range(from, to).mapToDouble(i -> seen[i]).toArray(),
 				Arrays.copyOfRange(known, from, to));
@@ -240,10 +244,6 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 			for (int t = from; t < to; t++)
 				lengths[t] = Math.max(least, line.at(t));
 			return lengths;
-		}
-
-		private static double median(final double[] values) {
-			return values.length == 0 ? 0 : RobustStatistics.median(values);
 		}
 	}
 }

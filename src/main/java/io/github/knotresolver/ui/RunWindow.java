@@ -48,9 +48,7 @@ public final class RunWindow implements ImageListener, AutoCloseable {
 	private RunWindow(final RunModel model, final ImagePlus image) {
 		this.model = model;
 		this.image = image;
-		layer = image.getWindow() == null
-			? Optional.empty()
-			: Optional.of(new LookLayer(image));
+		layer = image.getWindow() == null ? Optional.empty() : Optional.of(new LookLayer(image));
 		window = new JFrame("Resolving " + image.getTitle());
 		build();
 	}

@@ -19,6 +19,7 @@ class RobustStatisticsTest {
 	@Test
 	void ofNothingItIsWhatIsAskedFor() {
 		assertEquals(Double.NaN, RobustStatistics.median(new double[0]));
+		assertEquals(5, RobustStatistics.median(new double[0], 5));
 		assertEquals(5, RobustStatistics.upperMedian(new double[0], 5));
 	}
 }

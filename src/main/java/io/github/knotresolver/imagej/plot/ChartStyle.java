@@ -98,7 +98,8 @@ final class ChartStyle {
 		private static final double NOTHING = 1e-12;
 
 		@Override
-		public StringBuffer format(final double number, final StringBuffer to, final FieldPosition at) {
+		public StringBuffer format(final double number, final StringBuffer to,
+			final FieldPosition at) {
 			if (!Double.isFinite(number) || Math.abs(number) < NOTHING)
 				return to.append('0');
 			final String plain = new BigDecimal(number).round(DIGITS).stripTrailingZeros()
@@ -107,7 +108,8 @@ final class ChartStyle {
 		}
 
 		@Override
-		public StringBuffer format(final long number, final StringBuffer to, final FieldPosition at) {
+		public StringBuffer format(final long number, final StringBuffer to,
+			final FieldPosition at) {
 			return format((double) number, to, at);
 		}
 
