@@ -38,6 +38,7 @@ import io.github.knotresolver.track.FrameGraph;
 import io.github.knotresolver.track.FrameView;
 import io.github.knotresolver.track.Resolver;
 import io.github.knotresolver.track.ResolverQuery;
+import io.github.knotresolver.track.StillerEnd;
 import io.github.knotresolver.track.Track;
 import io.github.knotresolver.track.TrellisResolver;
 
@@ -83,9 +84,17 @@ final class FrameResolver {
 	}
 
 	private Optional<FitSolver> solver(final Workers workers, final Progress progress) {
-		if (solver.isEmpty())
-			solver = Optional.of(
-				fits(generator(), workers, progress).learn(frames, fixedEnd, parameters.length()));
+		if (solver.isEmpty()) {
+			final FitResolver fits = fits(generator(), workers, progress);
+			final Optional<FitSolver> first = fits.learn(frames, fixedEnd, parameters.length());
+			final Optional<Point> other = parameters.fixedEnd().isPresent()
+				? Optional.empty()
+				: first.flatMap(s -> StillerEnd.of(frames,
+					s.solve(List.of(), workers, progress).frames()));
+			solver = Optional.of(other.isPresent()
+				? fits.learn(frames, other.get(), parameters.length())
+				: first);
+		}
 		return solver.get();
 	}
 

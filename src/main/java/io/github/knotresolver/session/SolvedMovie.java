@@ -64,13 +64,17 @@ final class SolvedMovie {
 		if (scene.isPresent() && !mayBeOne(scene.get(), settings, prepared))
 			return new SolvedMovie(movie, prepared, scene, Optional.empty());
 		final FrameResolver single = single(movie, prepared, settings, workers, placed);
-		final Optional<SceneTracks> many = scene.isPresent() || !alone || !settings.deliversAll()
-			|| !isDoubtful(single, workers, placed)
-				? scene
-				: scene(prepared, settings, workers, placed);
-		return many.isPresent() && !new OneOrMany(prepared, workers, placed).isOne(single, many.get())
-			? new SolvedMovie(movie, prepared, many, Optional.empty())
-			: new SolvedMovie(movie, prepared, Optional.empty(), Optional.of(single));
+		final boolean doubtful = (scene.isPresent() || alone && settings.deliversAll())
+			&& isDoubtful(single, workers, placed);
+		final Optional<SceneTracks> many = doubtful && scene.isEmpty()
+			? scene(prepared, settings, workers, placed)
+			: scene;
+		// What was put together from several explains their light, but not well.
+		final boolean isOne = many.isEmpty() || (!doubtful || scene.isEmpty())
+			&& new OneOrMany(prepared, workers, placed).isOne(single, many.get());
+		return isOne
+			? new SolvedMovie(movie, prepared, Optional.empty(), Optional.of(single))
+			: new SolvedMovie(movie, prepared, many, Optional.empty());
 	}
 
 	/** All filaments of the movie; empty if it holds one that is clamped. */

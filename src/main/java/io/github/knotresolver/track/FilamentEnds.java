@@ -8,6 +8,7 @@ import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.model.AnchorChoice;
+import io.github.knotresolver.model.Observation;
 
 /**
  * Which end of a filament comes first: the clamped one if there is one; the trailing one of a
@@ -18,8 +19,11 @@ import io.github.knotresolver.model.AnchorChoice;
  * @param reversed whether the last point comes first
  * @param slid how far the filament has slid towards its leading end, in pixels
  * @param roams whether both ends were seen to go far
+ * @param alike whether its ends move so much alike that which one comes first is in doubt
  */
-record FilamentEnds(boolean clamped, boolean reversed, double slid, boolean roams) {
+record FilamentEnds(boolean clamped, boolean reversed, double slid, boolean roams, boolean alike) {
+
+	private static final String WHY = "Doubtful: both ends move alike, so which one comes first is a guess.";
 
 	/**
 	 * The ends by the longest time over which the filament is seen clearly, if that is long
@@ -44,7 +48,8 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid, boolean roam
 			}
 		if (best < TrackTuning.ENDS_FEWEST || best < TrackTuning.ENDS_ENOUGH * clear.length) {
 			final FilamentEnds doubtful = of(chains, anchor);
-			return new FilamentEnds(doubtful.clamped, doubtful.reversed, doubtful.slid, false);
+			return new FilamentEnds(doubtful.clamped, doubtful.reversed, doubtful.slid, false,
+				doubtful.alike);
 		}
 		return of(chains.subList(bestFrom, bestFrom + best), anchor);
 	}
@@ -73,17 +78,24 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid, boolean roam
 			case CLAMPED -> true;
 			case FREE -> false;
 		};
-		return new FilamentEnds(clamped, clamped ? stillIsLast : trails(chains, slid, f, l),
-			Math.abs(slid), !clamped && Math.min(held, loose) > TrackTuning.ROAMS);
+		final boolean glides = !clamped && glides(chains, slid);
+		final double a = f * unsteadiness(chains, false), b = l * unsteadiness(chains, true);
+		final boolean lastFirst = !glides
+			&& Math.min(a, b) < TrackTuning.ENDS_ALIKE * Math.max(a, b) ? b < a : slid < 0;
+		return new FilamentEnds(clamped, clamped ? stillIsLast : lastFirst, Math.abs(slid),
+			!clamped && Math.min(held, loose) > TrackTuning.ROAMS,
+			!clamped && !glides && Math.min(a, b) > TrackTuning.ENDS_DOUBT * Math.max(a, b));
 	}
 
-	/** Whether the last end of a free filament comes first, by its slide and its ends' steps. */
-	private static boolean trails(final List<Chain> chains, final double slid, final double first,
-		final double last) {
-		if (glides(chains, slid))
-			return slid < 0;
-		final double f = first * unsteadiness(chains, false), l = last * unsteadiness(chains, true);
-		return Math.min(f, l) < TrackTuning.ENDS_ALIKE * Math.max(f, l) ? l < f : slid < 0;
+	/** The same contours, none of which is believed if the ends may be exchanged. */
+	List<Observation> doubted(final List<Observation> frames) {
+		return alike
+			? frames.stream()
+				.map(o -> o.contour().isEmpty() || o.confidence() <= TrackTuning.TURNED
+					? o
+					: o.withConfidence(TrackTuning.TURNED, WHY))
+				.toList()
+			: frames;
 	}
 
 	/** Whether a filament follows its own track. O(frames links²). */

@@ -101,7 +101,7 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 			else
 				filaments.add(new Filament(ends.get(k).clamped(), ends.get(k).roams(),
 					chains.get(k).get(0).length(), settled.get(k).lengthError(),
-					SceneConfidence.together(observed.get(k))));
+					ends.get(k).doubted(SceneConfidence.together(observed.get(k)))));
 		filaments.sort(ORDER);
 		final List<String> notes = new ArrayList<>(new DoubtfulEpisodes(filaments).notes());
 		if (specks > 0)

@@ -7,12 +7,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.AnchorChoice;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Observation;
 
 class FilamentEndsTest {
 
@@ -93,5 +96,22 @@ class FilamentEndsTest {
 			y[i] = 60 + r * Math.sin(from + 0.03 * i);
 		}
 		return Chain.inScene(Polyline.of(x, y), 48);
+	}
+
+	@Test
+	void whichEndComesFirstIsInDoubtWhereBothMoveAlike() {
+		final List<Chain> carried = new ArrayList<>(), gliding = new ArrayList<>();
+		for (int t = 0; t < 20; t++) {
+			carried.add(rod(30 + t, 40 + 3 * Math.sin(0.5 * t), 1));
+			gliding.add(rod(30 + t, 40, 0));
+		}
+		final List<Observation> frames = List.of(new Observation(1, FrameStatus.RESOLVED, "",
+			Optional.of(carried.get(0).contour()), 0, 1, 0, 1));
+		final FilamentEnds doubtful = FilamentEnds.of(carried, AnchorChoice.AUTO);
+		assertTrue(doubtful.alike());
+		assertEquals(0.5, doubtful.doubted(frames).get(0).confidence());
+		final FilamentEnds sure = FilamentEnds.of(gliding, AnchorChoice.AUTO);
+		assertFalse(sure.alike());
+		assertEquals(frames, sure.doubted(frames));
 	}
 }

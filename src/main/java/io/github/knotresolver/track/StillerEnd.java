@@ -1,0 +1,59 @@
+
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.geometry.RobustStatistics;
+import io.github.knotresolver.model.Observation;
+
+/**
+ * Whether a filament was followed from the wrong end. Skeletons know ends to a pixel or two, in
+ * which a long filament's tip may stay for a while, too; fits know them to a tenth.
+ */
+public final class StillerEnd {
+
+	private StillerEnd() {
+	}
+
+	/**
+	 * O(frames log frames).
+	 *
+	 * @param frames the movie
+	 * @param found one filament in all of its frames, what was taken for the fixed end first
+	 * @return the place of its tip in pixels if that stays in one place, and the other end does
+	 *         not; empty if all is well
+	 */
+	public static Optional<Point> of(final List<FrameView> frames, final List<Observation> found) {
+		final List<Point> starts = new ArrayList<>(), tips = new ArrayList<>();
+		for (int t = 0; t < frames.size(); t++) {
+			final Optional<Polyline> contour = found.get(t).contour();
+			if (contour.isPresent() && !FreeEnds.atBorder(frames.get(t), contour.get().last())) {
+				starts.add(contour.get().first());
+				tips.add(contour.get().last());
+			}
+		}
+		if (tips.size() < TrackTuning.NEARLY_ALL * frames.size())
+			return Optional.empty();
+		final Point start = middle(starts), tip = middle(tips);
+		final double held = spread(tips, tip), loose = spread(starts, start);
+		return loose > TrackTuning.STILL_END && held < TrackTuning.HELD_SHARE * loose
+			&& held < TrackTuning.STILL_END
+			? Optional.of(tip)
+			: Optional.empty();
+	}
+
+	private static Point middle(final List<Point> places) {
+		return new Point(
+			RobustStatistics.median(places.stream().mapToDouble(Point::x).toArray()),
+			RobustStatistics.median(places.stream().mapToDouble(Point::y).toArray()));
+	}
+
+	private static double spread(final List<Point> places, final Point middle) {
+		return RobustStatistics
+			.median(places.stream().mapToDouble(middle::distanceTo).toArray());
+	}
+}

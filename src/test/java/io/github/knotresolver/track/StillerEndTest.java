@@ -1,0 +1,57 @@
+
+package io.github.knotresolver.track;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.IntFunction;
+
+import org.junit.jupiter.api.Test;
+
+import io.github.knotresolver.Drawn;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Observation;
+
+class StillerEndTest {
+
+	private static Optional<Point> stiller(final IntFunction<Polyline> contours) {
+		final List<FrameView> frames = new ArrayList<>();
+		final List<Observation> found = new ArrayList<>();
+		for (int t = 0; t < 20; t++) {
+			final Polyline contour = contours.apply(t);
+			frames.add(DrawnFrames.lines(t + 1, contour));
+			found.add(new Observation(t + 1, FrameStatus.RESOLVED, "", Optional.of(contour), 0, 1, 0,
+				1));
+		}
+		return StillerEnd.of(frames, found);
+	}
+
+	@Test
+	void aTipThatStaysWhileTheOtherEndMovesIsTheFixedEnd() {
+		final Point end = stiller(
+			t -> Drawn.line(100 - 0.3 * t, 50, 60, 40 + t, 20, 50 + 0.05 * (t % 2))).orElseThrow();
+		assertEquals(0, end.distanceTo(new Point(20, 50)), 0.1);
+	}
+
+	@Test
+	void anEndThatStaysIsTheFixedEndWhateverTheTipDoes() {
+		assertTrue(stiller(t -> Drawn.line(20, 50 + 0.05 * (t % 2), 60, 40 + t, 100, 50)).isEmpty());
+		assertTrue(stiller(t -> Drawn.line(20, 50, 60, 40 + t, 100 - t, 50)).isEmpty());
+	}
+
+	@Test
+	void whereAFilamentLeavesThePictureIsNoEnd() {
+		assertTrue(stiller(t -> Drawn.line(20 + 0.5 * t, 50, 60, 40 + t, 129, 50)).isEmpty());
+	}
+
+	@Test
+	void onADriftingStageBothEndsMove() {
+		assertTrue(stiller(
+			t -> Drawn.line(20 + 0.5 * t, 50, 60 + 0.5 * t, 40 + t, 100 + 0.6 * t, 50)).isEmpty());
+	}
+}
