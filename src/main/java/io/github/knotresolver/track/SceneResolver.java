@@ -88,7 +88,8 @@ public final class SceneResolver {
 		if (passes.isEmpty())
 			return Optional.empty();
 		final List<Settled> followed = new TailExchanges(line, weights, progress)
-			.checked(settled(line, weights, passes));
+			.checked(new JoinedPieces(line, weights, workers, progress)
+				.joined(settled(line, weights, passes)));
 		if (onlyScenes && isOneClamped(line, followed))
 			return Optional.empty();
 		return Optional.of(new Solved(line, weights,

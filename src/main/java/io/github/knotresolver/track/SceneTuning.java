@@ -628,6 +628,12 @@ final class SceneTuning {
 	static final double EXCHANGE_HOPELESS = 60;
 
 	/**
+	 * [share] Pieces of one filament follow each other in more of the frames. Why: two filaments
+	 * that move on their own do so by chance only.
+	 */
+	static final double PIECES_MOST = 0.9;
+
+	/**
 	 * [px] An end stays where two filaments exchange their other ends. Why: fits of an end scatter
 	 * by less.
 	 */
