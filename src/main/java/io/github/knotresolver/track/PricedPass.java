@@ -40,9 +40,11 @@ record PricedPass(ScenePass pass, double[] left) {
 	 * filaments are lost: a pass with as many filaments as the cheapest that explains clearly more
 	 * frames is better, and so is one with fewer that explains nearly as many.
 	 *
-	 * @param passes at least one; they are sorted in place
+	 * @param passes sorted in place; none stay none
 	 */
 	static void sort(final List<PricedPass> passes) {
+		if (passes.isEmpty())
+			return;
 		passes.sort(Comparator.comparingDouble(PricedPass::price));
 		PricedPass best = passes.get(0);
 		if (best.isClear())

@@ -2,6 +2,7 @@
 package io.github.knotresolver.track;
 
 import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -30,6 +31,13 @@ class PricedPassTest {
 		final List<PricedPass> sorted = new ArrayList<>(List.of(passes));
 		PricedPass.sort(sorted);
 		return sorted.get(0);
+	}
+
+	@Test
+	void whereNothingCanBeFollowedThereIsNoPass() {
+		final List<PricedPass> none = new ArrayList<>();
+		PricedPass.sort(none);
+		assertTrue(none.isEmpty());
 	}
 
 	@Test
