@@ -41,7 +41,6 @@ public final class StillerEnd {
 		final Point start = middle(starts), tip = middle(tips);
 		final double held = spread(tips, tip), loose = spread(starts, start);
 		return loose > TrackTuning.STILL_END && held < TrackTuning.HELD_SHARE * loose
-			&& held < TrackTuning.STILL_END
 			? Optional.of(tip)
 			: Optional.empty();
 	}

@@ -38,6 +38,13 @@ class StillerEndTest {
 		assertEquals(0, end.distanceTo(new Point(20, 50)), 0.1);
 	}
 
+	/** Around a fixed end that lies close to another strand, contours end within a few pixels. */
+	@Test
+	void aTipThatWandersByLittleWhileTheOtherEndIsDrawnInIsTheFixedEnd() {
+		assertTrue(stiller(t -> Drawn.line(105 - 1.5 * t, 50, 60, 40 + t, 20 + 0.2 * t,
+			50 + t % 3)).isPresent());
+	}
+
 	@Test
 	void anEndThatStaysIsTheFixedEndWhateverTheTipDoes() {
 		assertTrue(stiller(t -> Drawn.line(20, 50 + 0.05 * (t % 2), 60, 40 + t, 100, 50)).isEmpty());
