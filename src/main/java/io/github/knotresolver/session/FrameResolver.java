@@ -89,11 +89,10 @@ final class FrameResolver {
 			final Optional<FitSolver> first = fits.learn(frames, fixedEnd, parameters.length());
 			final Optional<Point> other = parameters.fixedEnd().isPresent()
 				? Optional.empty()
-				: first.flatMap(s -> StillerEnd.of(frames,
-					s.solve(List.of(), workers, progress).frames()));
-			solver = Optional.of(other.isPresent()
-				? fits.learn(frames, other.get(), parameters.length())
-				: first);
+				: first.flatMap(
+					s -> StillerEnd.of(frames, s.solve(List.of(), workers, progress).frames()));
+			solver = Optional.of(
+				other.isPresent() ? fits.learn(frames, other.get(), parameters.length()) : first);
 		}
 		return solver.get();
 	}

@@ -50,9 +50,8 @@ final class OneOrMany {
 	/** For each frame all contours that are known. */
 	private List<List<Polyline>> contours(final List<List<Observation>> filaments) {
 		final Map<Integer, List<Polyline>> byFrame = filaments.stream().flatMap(List::stream)
-			.filter(o -> o.contour().isPresent())
-			.collect(Collectors.groupingBy(Observation::frame, Collectors
-				.mapping(o -> o.contour().orElseThrow(), Collectors.toList())));
+			.filter(o -> o.contour().isPresent()).collect(Collectors.groupingBy(Observation::frame,
+				Collectors.mapping(o -> o.contour().orElseThrow(), Collectors.toList())));
 		return prepared.frames().stream().map(FrameView::frame)
 			.map(f -> byFrame.getOrDefault(f, List.of())).toList();
 	}

@@ -81,8 +81,7 @@ final class SolvedMovie {
 	private static Optional<SceneTracks> scene(final PreparedMovie prepared,
 		final Settings settings, final Workers workers, final Progress progress) {
 		return new SceneResolver(prepared.kinds(), workers, progress)
-			.resolve(prepared.frames(), settings.anchor())
-			.filter(s -> !s.filaments().isEmpty()
+			.resolve(prepared.frames(), settings.anchor()).filter(s -> !s.filaments().isEmpty()
 				&& (settings.anchor() == AnchorChoice.FREE || !s.isOneClamped()));
 	}
 
@@ -95,8 +94,8 @@ final class SolvedMovie {
 
 	private static boolean isDoubtful(final FrameResolver single, final Workers workers,
 		final Progress progress) {
-		return single.resolve(List.of(), workers, progress)
-			.map(t -> Verdict.isDoubtful(t.frames())).orElse(true);
+		return single.resolve(List.of(), workers, progress).map(t -> Verdict.isDoubtful(t.frames()))
+			.orElse(true);
 	}
 
 	private static FrameResolver single(final Movie movie, final PreparedMovie prepared,

@@ -96,12 +96,12 @@ final class JoinedPieces {
 			final Scene scene = new Scene(line.frames().get(t).light(), line.tables(),
 				others.stream().map(o -> o.chains().get(t)).toList());
 			final Chain start = Chain.inScene(curves.get(t), length);
-			return scene.window(List.of(start))
-				.fit(start, Optional.of(start), weights.tracked()).chain();
+			return scene.window(List.of(start)).fit(start, Optional.of(start), weights.tracked())
+				.chain();
 		});
 		final double[] gap = new double[n];
-		Arrays.setAll(gap, t -> Math.min(filaments.get(two[0]).gap()[t],
-			filaments.get(two[1]).gap()[t]));
+		Arrays.setAll(gap,
+			t -> Math.min(filaments.get(two[0]).gap()[t], filaments.get(two[1]).gap()[t]));
 		others.add(new Settled(chains, gap, Double.NaN));
 		return ScenePass.of(others).price(line) < ScenePass.of(filaments).price(line)
 			? Optional.of(others)

@@ -124,8 +124,8 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 			? Optional.of(learn(looks.open, LineModel.Kind.ADDITIVE, progress))
 			: Optional.empty();
 		final OptionalDouble crossings = additive
-			.map(l -> CrossingLight.of(looks.all.stream()
-				.map(f -> f.rescaled(l.background(), l.amplitude())).toList()))
+			.map(l -> CrossingLight.of(
+				looks.all.stream().map(f -> f.rescaled(l.background(), l.amplitude())).toList()))
 			.orElse(OptionalDouble.empty());
 		if (crossings.isPresent() && crossings.getAsDouble() > SceneTuning.CROSSING_DOUBLE)
 			return additive.get();

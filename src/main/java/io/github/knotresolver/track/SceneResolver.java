@@ -3,7 +3,6 @@ package io.github.knotresolver.track;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -103,8 +102,7 @@ public final class SceneResolver {
 			return false;
 		final boolean[][] clear = ScenePass.of(followed).clear(line, workers);
 		final SceneTracks tracks = SceneTracks.of(line, followed, clear, AnchorChoice.AUTO);
-		return tracks.isOneClamped()
-			&& (tracks.filaments().get(0).clamped() || !isCredible(clear));
+		return tracks.isOneClamped() && (tracks.filaments().get(0).clamped() || !isCredible(clear));
 	}
 
 	/** Whether little is left to be made better of what was followed. */

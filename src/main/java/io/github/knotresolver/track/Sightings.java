@@ -60,7 +60,8 @@ final class Sightings {
 		return from.stream()
 			.filter(s -> Math.abs(s.contour.length() / length - 1) < TrackTuning.SIGHTED_TOLERANCE)
 			.sorted(Comparator.comparingDouble(Seen::price)).limit(TrackTuning.SIGHTINGS)
-			.map(s -> new Sighting(s.frame.light(), s.contour, from == simple ? List.of() : s.others))
+			.map(s -> new Sighting(s.frame.light(), s.contour,
+				from == simple ? List.of() : s.others))
 			.toList();
 	}
 

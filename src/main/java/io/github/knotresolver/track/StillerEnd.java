@@ -46,13 +46,11 @@ public final class StillerEnd {
 	}
 
 	private static Point middle(final List<Point> places) {
-		return new Point(
-			RobustStatistics.median(places.stream().mapToDouble(Point::x).toArray()),
+		return new Point(RobustStatistics.median(places.stream().mapToDouble(Point::x).toArray()),
 			RobustStatistics.median(places.stream().mapToDouble(Point::y).toArray()));
 	}
 
 	private static double spread(final List<Point> places, final Point middle) {
-		return RobustStatistics
-			.median(places.stream().mapToDouble(middle::distanceTo).toArray());
+		return RobustStatistics.median(places.stream().mapToDouble(middle::distanceTo).toArray());
 	}
 }

@@ -90,8 +90,8 @@ class FilamentEstimatorTest {
 				once = ring(0.5 * t, 2 * Math.PI - 0.1, 1),
 				wrong = ring(0.5 * t, 2 * Math.PI - 0.1, -1);
 			length = around.length();
-			final NormalizedFrame frame = DrawnMovie.draw(
-				List.of(Chain.along(around, 60, around.length())), List.of(), model, 0.05, t)
+			final NormalizedFrame frame = DrawnMovie
+				.draw(List.of(Chain.along(around, 60, around.length())), List.of(), model, 0.05, t)
 				.frame(0);
 			sightings.add(new Sighting(frame, wrong, List.of(once)));
 		}
@@ -143,8 +143,10 @@ class FilamentEstimatorTest {
 			sightings.add(new Sighting(camera.apply(drawn.frame(t)), jagged.divided(12)));
 		}
 		try (Workers workers = new Workers(2)) {
-			return FilamentEstimator.estimate(sightings, EnumSet.of(LineModel.Kind.SATURATING, LineModel.Kind.ADDITIVE),
-				FitSettings.ENDS_FREE, workers, Progress.NONE).orElseThrow();
+			return FilamentEstimator
+				.estimate(sightings, EnumSet.of(LineModel.Kind.SATURATING, LineModel.Kind.ADDITIVE),
+					FitSettings.ENDS_FREE, workers, Progress.NONE)
+				.orElseThrow();
 		}
 	}
 }

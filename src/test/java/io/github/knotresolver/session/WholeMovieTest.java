@@ -54,7 +54,7 @@ class WholeMovieTest {
 	private static final LineModel GAUSSIAN = LineModel.uniform(LineModel.Kind.ADDITIVE, 1.6, 1);
 
 	@ParameterizedTest
-	@EnumSource
+	@EnumSource(names = {"SATURATING", "ADDITIVE"})
 	void resolvesKnotsWithNothingTold(final LineModel.Kind kind) {
 		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(30, LENGTH, KNOTTED), List.of(),
 			LineModel.uniform(kind, 1.6, kind == LineModel.Kind.ADDITIVE ? 1 : 1.6), NOISE, 21);

@@ -23,8 +23,9 @@ class PricedPassTest {
 		final Chain chain = Chain.inScene(Drawn.line(10, 10, 60, 10), 50);
 		final double[] all = new double[FRAMES];
 		Arrays.fill(all, explained, FRAMES, left);
-		return new PricedPass(new ScenePass(0,
-			Collections.nCopies(FRAMES, Collections.nCopies(filaments, chain))), all);
+		return new PricedPass(
+			new ScenePass(0, Collections.nCopies(FRAMES, Collections.nCopies(filaments, chain))),
+			all);
 	}
 
 	private static PricedPass best(final PricedPass... passes) {

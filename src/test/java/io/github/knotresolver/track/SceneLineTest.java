@@ -81,8 +81,9 @@ class SceneLineTest {
 		for (int t = 0; t < 6; t++)
 			frames.add(crossed(t, LineModel.uniform(kind, 1.4, power)));
 		assertEquals(kind,
-			SceneLine.learn(frames, List.of(Kind.SATURATING, Kind.ADDITIVE), Workers.HERE,
-				Progress.NONE).tables().model().kind());
+			SceneLine
+				.learn(frames, List.of(Kind.SATURATING, Kind.ADDITIVE), Workers.HERE, Progress.NONE)
+				.tables().model().kind());
 	}
 
 	@Test

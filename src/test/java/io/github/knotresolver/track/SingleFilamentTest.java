@@ -53,8 +53,7 @@ class SingleFilamentTest {
 		for (int t = 0; t < 10; t++) {
 			crossing.add(DrawnFrames.lines(t + 1, line(20, 50, 90, 30 + 4 * t),
 				line(60, 10, 50 + 2 * t, 95)));
-			apart.add(
-				DrawnFrames.lines(t + 1, line(20, 20, 90, 20 + t), line(20, 80, 90, 80 - t)));
+			apart.add(DrawnFrames.lines(t + 1, line(20, 20, 90, 20 + t), line(20, 80, 90, 80 - t)));
 		}
 		assertTrue(SingleFilament.isOneObject(crossing));
 		assertFalse(SingleFilament.isOneObject(apart));

@@ -25,8 +25,8 @@ class StillerEndTest {
 		for (int t = 0; t < 20; t++) {
 			final Polyline contour = contours.apply(t);
 			frames.add(DrawnFrames.lines(t + 1, contour));
-			found.add(new Observation(t + 1, FrameStatus.RESOLVED, "", Optional.of(contour), 0, 1, 0,
-				1));
+			found.add(
+				new Observation(t + 1, FrameStatus.RESOLVED, "", Optional.of(contour), 0, 1, 0, 1));
 		}
 		return StillerEnd.of(frames, found);
 	}
@@ -41,13 +41,14 @@ class StillerEndTest {
 	/** Around a fixed end that lies close to another strand, contours end within a few pixels. */
 	@Test
 	void aTipThatWandersByLittleWhileTheOtherEndIsDrawnInIsTheFixedEnd() {
-		assertTrue(stiller(t -> Drawn.line(105 - 1.5 * t, 50, 60, 40 + t, 20 + 0.2 * t,
-			50 + t % 3)).isPresent());
+		assertTrue(stiller(t -> Drawn.line(105 - 1.5 * t, 50, 60, 40 + t, 20 + 0.2 * t, 50 + t % 3))
+			.isPresent());
 	}
 
 	@Test
 	void anEndThatStaysIsTheFixedEndWhateverTheTipDoes() {
-		assertTrue(stiller(t -> Drawn.line(20, 50 + 0.05 * (t % 2), 60, 40 + t, 100, 50)).isEmpty());
+		assertTrue(
+			stiller(t -> Drawn.line(20, 50 + 0.05 * (t % 2), 60, 40 + t, 100, 50)).isEmpty());
 		assertTrue(stiller(t -> Drawn.line(20, 50, 60, 40 + t, 100 - t, 50)).isEmpty());
 	}
 
@@ -58,7 +59,8 @@ class StillerEndTest {
 
 	@Test
 	void onADriftingStageBothEndsMove() {
-		assertTrue(stiller(
-			t -> Drawn.line(20 + 0.5 * t, 50, 60 + 0.5 * t, 40 + t, 100 + 0.6 * t, 50)).isEmpty());
+		assertTrue(
+			stiller(t -> Drawn.line(20 + 0.5 * t, 50, 60 + 0.5 * t, 40 + t, 100 + 0.6 * t, 50))
+				.isEmpty());
 	}
 }
