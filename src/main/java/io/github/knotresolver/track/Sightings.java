@@ -22,7 +22,15 @@ final class Sightings {
 	private Sightings() {
 	}
 
-	private record Seen(FrameView frame, Polyline contour, List<Polyline> others, double price) {
+	private record Seen(FrameView frame, Polyline contour, List<Polyline> others, double doubt,
+		double price) {
+
+		/** Whether it lies on itself, crosses itself, or ends where it runs into itself. */
+		boolean isWound() {
+			final double before = contour.length() - TrackTuning.SIGHTED;
+			return doubt > 0 || before > 0
+				&& contour.head(before).distanceTo(contour.last()) < TrackTuning.RUNS_INTO;
+		}
 
 		/** Whether both ends are inside the picture. */
 		boolean isWhole() {
@@ -57,11 +65,14 @@ final class Sightings {
 		final double[] lengths = from.stream().mapToDouble(s -> s.contour.length()).sorted()
 			.toArray();
 		final double length = lengths[(int) (lengths.length * TrackTuning.SIGHTED_QUANTILE)];
+		// Where enough frames show it open, other ways through the rest teach what is wrong.
+		final boolean open = from == simple || from.stream().filter(s -> !s.isWound())
+			.count() >= TrackTuning.SIMPLE_FRAMES;
 		return from.stream()
 			.filter(s -> Math.abs(s.contour.length() / length - 1) < TrackTuning.SIGHTED_TOLERANCE)
 			.sorted(Comparator.comparingDouble(Seen::price)).limit(TrackTuning.SIGHTINGS)
 			.map(s -> new Sighting(s.frame.light(), s.contour,
-				from == simple ? List.of() : s.others))
+				open ? List.of() : s.others))
 			.toList();
 	}
 
@@ -76,6 +87,6 @@ final class Sightings {
 			+ Crossings.of(contour).size() * contour.length();
 		final List<Polyline> others = trails.stream().skip(1).limit(TrackTuning.OTHER_WAYS)
 			.map(ContourBuilder::smooth).filter(c -> c.length() >= TrackTuning.SIGHTED).toList();
-		seen.add(new Seen(frame, contour, others, best.price().total() + doubt));
+		seen.add(new Seen(frame, contour, others, doubt, best.price().total() + doubt));
 	}
 }

@@ -389,6 +389,12 @@ final class TrackTuning {
 	static final int OTHER_WAYS = 3;
 
 	/**
+	 * [px] A contour that ends this near to an earlier part of itself runs into itself. Why: a
+	 * closed loop ends at the node at which it began, and smoothing moves it a little.
+	 */
+	static final double RUNS_INTO = 4;
+
+	/**
 	 * [share] So many of the frames must show one object with at most two ends. Why: debris and
 	 * gaps spoil some.
 	 */
