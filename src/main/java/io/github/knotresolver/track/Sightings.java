@@ -65,9 +65,9 @@ final class Sightings {
 		final double[] lengths = from.stream().mapToDouble(s -> s.contour.length()).sorted()
 			.toArray();
 		final double length = lengths[(int) (lengths.length * TrackTuning.SIGHTED_QUANTILE)];
-		// Where enough frames show it open, other ways through the rest teach what is wrong.
+		// Where many frames show it open, other ways through the rest teach what is wrong.
 		final boolean open = from == simple || from.stream().filter(s -> !s.isWound())
-			.count() >= TrackTuning.SIMPLE_FRAMES;
+			.count() >= Math.max(TrackTuning.SIMPLE_FRAMES, TrackTuning.OFTEN_OPEN * from.size());
 		return from.stream()
 			.filter(s -> Math.abs(s.contour.length() / length - 1) < TrackTuning.SIGHTED_TOLERANCE)
 			.sorted(Comparator.comparingDouble(Seen::price)).limit(TrackTuning.SIGHTINGS)

@@ -395,6 +395,12 @@ final class TrackTuning {
 	static final double RUNS_INTO = 4;
 
 	/**
+	 * [share] A filament lies open often if it does in so many of the frames. Why: haze and hot
+	 * pixels break a few closed loops open.
+	 */
+	static final double OFTEN_OPEN = 0.5;
+
+	/**
 	 * [share] So many of the frames must show one object with at most two ends. Why: debris and
 	 * gaps spoil some.
 	 */
