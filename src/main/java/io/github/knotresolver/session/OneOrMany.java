@@ -3,7 +3,6 @@ package io.github.knotresolver.session;
 
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.stream.Collectors;
 
 import io.github.knotresolver.geometry.Polyline;
@@ -32,17 +31,14 @@ final class OneOrMany {
 	}
 
 	/**
-	 * @param one follows one clamped filament
+	 * @param one one clamped filament
 	 * @param many several
 	 * @return whether one explains the movie no worse
 	 */
-	boolean isOne(final FrameResolver one, final SceneTracks many) {
-		final Optional<Track> track = one.resolve(List.of(), workers, progress);
-		if (track.isEmpty())
-			return false;
+	boolean isOne(final Track one, final SceneTracks many) {
 		final LightLeft left = new LightLeft(prepared.frames(), prepared.kinds(), workers,
 			progress);
-		return left.price(contours(List.of(track.get().frames())), 1) <= left.price(
+		return left.price(contours(List.of(one.frames())), 1) <= left.price(
 			contours(many.filaments().stream().map(SceneTracks.Filament::frames).toList()),
 			many.filaments().size());
 	}

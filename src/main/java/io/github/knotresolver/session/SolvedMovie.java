@@ -64,14 +64,18 @@ final class SolvedMovie {
 		if (scene.isPresent() && !mayBeOne(scene.get(), settings, prepared))
 			return new SolvedMovie(movie, prepared, scene, Optional.empty());
 		final FrameResolver single = single(movie, prepared, settings, workers, placed);
-		final boolean doubtful = (scene.isPresent() || alone && settings.deliversAll())
-			&& isDoubtful(single, workers, placed);
+		final boolean undecided = scene.isPresent() || alone && settings.deliversAll();
+		final Optional<Track> one = undecided
+			? single.resolve(List.of(), workers, placed)
+			: Optional.empty();
+		final boolean doubtful = undecided
+			&& one.map(t -> Verdict.isDoubtful(t.frames())).orElse(true);
 		final Optional<SceneTracks> many = doubtful && scene.isEmpty()
 			? scene(prepared, settings, workers, placed)
 			: scene;
 		// What was put together from several explains their light, but not well.
-		final boolean isOne = many.isEmpty() || (!doubtful || scene.isEmpty())
-			&& new OneOrMany(prepared, workers, placed).isOne(single, many.get());
+		final boolean isOne = many.isEmpty() || one.isPresent() && (!doubtful || scene.isEmpty())
+			&& new OneOrMany(prepared, workers, placed).isOne(one.get(), many.get());
 		return isOne
 			? new SolvedMovie(movie, prepared, Optional.empty(), Optional.of(single))
 			: new SolvedMovie(movie, prepared, many, Optional.empty());
@@ -90,12 +94,6 @@ final class SolvedMovie {
 		final PreparedMovie prepared) {
 		return settings.anchor() != AnchorChoice.FREE && scene.filaments().size() > 1
 			&& settings.fitsTrails() && SingleFilament.isOneObject(prepared.frames());
-	}
-
-	private static boolean isDoubtful(final FrameResolver single, final Workers workers,
-		final Progress progress) {
-		return single.resolve(List.of(), workers, progress).map(t -> Verdict.isDoubtful(t.frames()))
-			.orElse(true);
 	}
 
 	private static FrameResolver single(final Movie movie, final PreparedMovie prepared,

@@ -6,7 +6,6 @@ import java.util.List;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.LineModel;
-import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
@@ -50,8 +49,7 @@ public final class LightLeft {
 	}
 
 	private double left(final int t, final List<Polyline> contours) {
-		final Scene scene = new Scene(line.frames().get(t).light(), line.tables(), contours.stream()
-			.filter(c -> c.length() > 0).map(c -> Chain.inScene(c, c.length())).toList());
-		return new Unexplained(scene, line.noise()).within(scene.near(line.near(t)));
+		return line.left(t, contours.stream().filter(c -> c.length() > 0)
+			.map(c -> Chain.inScene(c, c.length())).toList());
 	}
 }

@@ -194,6 +194,12 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		return sum / (tables.model().sigma() * Math.sqrt(2 * Math.PI));
 	}
 
+	/** What chains leave of a frame's light, or explain too much, in strands squared. */
+	double left(final int t, final List<Chain> chains) {
+		final Scene scene = new Scene(frames.get(t).light(), tables, chains);
+		return new Unexplained(scene, noise).within(scene.near(near(t)));
+	}
+
 	/** The pixels of a frame in and around its objects. */
 	boolean[] near(final int t) {
 		return around(Pixels.bits(frames.get(t).mask()), frames.get(t).light().width());

@@ -155,11 +155,7 @@ record ScenePass(int start, List<List<Chain>> chains) {
 	/** What the pass does not explain in each frame. */
 	double[] left(final SceneLine line) {
 		final double[] left = new double[chains.size()];
-		for (int t = 0; t < left.length; t++) {
-			final Scene scene = new Scene(line.frames().get(t).light(), line.tables(),
-				chains.get(t));
-			left[t] = new Unexplained(scene, line.noise()).within(scene.near(line.near(t)));
-		}
+		Arrays.setAll(left, t -> line.left(t, chains.get(t)));
 		return left;
 	}
 

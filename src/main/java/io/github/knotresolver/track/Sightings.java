@@ -71,8 +71,7 @@ final class Sightings {
 		return from.stream()
 			.filter(s -> Math.abs(s.contour.length() / length - 1) < TrackTuning.SIGHTED_TOLERANCE)
 			.sorted(Comparator.comparingDouble(Seen::price)).limit(TrackTuning.SIGHTINGS)
-			.map(s -> new Sighting(s.frame.light(), s.contour,
-				open ? List.of() : s.others))
+			.map(s -> new Sighting(s.frame.light(), s.contour, open ? List.of() : s.others))
 			.toList();
 	}
 
