@@ -1,7 +1,10 @@
 package io.github.knotresolver.fit;
 
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.EnumSet;
 import java.util.Locale;
+import java.util.Set;
 
 /**
  * What a line looks like in the movie, in normalised intensities (background 0,
@@ -25,6 +28,10 @@ import java.util.Locale;
  *          the fixed end to the free tip, at least one value
  */
 public record LineModel(Kind kind, double sigma, double power, double[] brightness) {
+
+	/** How strands may add up where no pixel was cut off: the movie tells which it is. */
+	public static final Set<Kind> UNCLIPPED = Collections
+		.unmodifiableSet(EnumSet.of(Kind.SATURATING, Kind.ADDITIVE));
 
 	/** How strands that lie on each other add up. */
 	public enum Kind {

@@ -1,6 +1,7 @@
 package io.github.knotresolver.geometry;
 
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * What medians say of a normal distribution. Source: P. J. Rousseeuw and C. Croux,
@@ -48,5 +49,24 @@ public final class RobustStatistics {
 		final double[] sorted = values.clone();
 		Arrays.sort(sorted);
 		return sorted.length == 0 ? none : sorted[sorted.length / 2];
+	}
+
+	/**
+	 * @param places in any order
+	 * @return the {@link #median(double[])} of columns and that of rows. O(n log n)
+	 */
+	public static Point median(final List<Point> places) {
+		return new Point(median(places.stream().mapToDouble(Point::x).toArray()),
+			median(places.stream().mapToDouble(Point::y).toArray()));
+	}
+
+	/**
+	 * @param places in any order
+	 * @return the {@link #upperMedian upper median} of columns and that of rows; NaN of nothing. O(n
+	 *         log n)
+	 */
+	public static Point upperMedian(final List<Point> places) {
+		return new Point(upperMedian(places.stream().mapToDouble(Point::x).toArray(), Double.NaN),
+			upperMedian(places.stream().mapToDouble(Point::y).toArray(), Double.NaN));
 	}
 }

@@ -111,8 +111,6 @@ record Clipping(double ceiling, double share, double most) {
 
 	/** How strands may add up in such a movie. */
 	Set<LineModel.Kind> kinds() {
-		return isClipped()
-			? EnumSet.of(LineModel.Kind.SATURATING)
-			: EnumSet.of(LineModel.Kind.SATURATING, LineModel.Kind.ADDITIVE);
+		return isClipped() ? EnumSet.of(LineModel.Kind.SATURATING) : LineModel.UNCLIPPED;
 	}
 }

@@ -58,9 +58,11 @@ final class SolvedMovie {
 		final Progress placed = new PlacedProgress(progress, prepared.pixels()::out);
 		final boolean alone = settings.anchor() != AnchorChoice.FREE
 			&& SingleFilament.isClampedAlone(prepared.frames());
+		final SceneResolver scenes = new SceneResolver(prepared.frames(), prepared.kinds(), workers,
+			placed);
 		final Optional<SceneTracks> scene = alone || !settings.deliversAll()
 			? Optional.empty()
-			: scene(prepared, settings, workers, placed);
+			: scene(scenes, settings);
 		if (scene.isPresent() && !mayBeOne(scene.get(), settings, prepared))
 			return new SolvedMovie(movie, prepared, scene, Optional.empty());
 		final FrameResolver single = single(movie, prepared, settings, workers, placed);
@@ -71,22 +73,21 @@ final class SolvedMovie {
 		final boolean doubtful = undecided
 			&& one.map(t -> Verdict.isDoubtful(t.frames())).orElse(true);
 		final Optional<SceneTracks> many = doubtful && scene.isEmpty()
-			? scene(prepared, settings, workers, placed)
+			? scene(scenes, settings)
 			: scene;
 		// What was put together from several explains their light, but not well.
 		final boolean isOne = many.isEmpty() || one.isPresent() && (!doubtful || scene.isEmpty())
-			&& new OneOrMany(prepared, workers, placed).isOne(one.get(), many.get());
+			&& scenes.isOne(one.get().frames(), many.get());
 		return isOne
 			? new SolvedMovie(movie, prepared, Optional.empty(), Optional.of(single))
 			: new SolvedMovie(movie, prepared, many, Optional.empty());
 	}
 
 	/** All filaments of the movie; empty if it holds one that is clamped. */
-	private static Optional<SceneTracks> scene(final PreparedMovie prepared,
-		final Settings settings, final Workers workers, final Progress progress) {
-		return new SceneResolver(prepared.kinds(), workers, progress)
-			.resolve(prepared.frames(), settings.anchor()).filter(s -> !s.filaments().isEmpty()
-				&& (settings.anchor() == AnchorChoice.FREE || !s.isOneClamped()));
+	private static Optional<SceneTracks> scene(final SceneResolver scenes,
+		final Settings settings) {
+		return scenes.resolve(settings.anchor()).filter(s -> !s.filaments().isEmpty()
+			&& (settings.anchor() == AnchorChoice.FREE || !s.isOneClamped()));
 	}
 
 	/** Whether several filaments may be one that lies on itself. */
@@ -116,8 +117,8 @@ final class SolvedMovie {
 		return working.fixedEnd().isEmpty() || !working.fitsTrails()
 			|| SingleFilament.isClampedAlone(frames)
 				? frames
-				: new SceneResolver(prepared.kinds(), workers, progress).alone(frames,
-					working.fixedEnd().get());
+				: new SceneResolver(frames, prepared.kinds(), workers, progress)
+					.alone(working.fixedEnd().get());
 	}
 
 	/**

@@ -142,16 +142,10 @@ record AnchorPath(List<Point> places, double[] weights) {
 
 	/** Whether places, in order of time, are more than a few wrong ones around one place. */
 	private static boolean moves(final List<Point> all, final double spread) {
-		final Point middle = middle(all);
+		final Point middle = RobustStatistics.upperMedian(all);
 		final double[] off = all.stream().mapToDouble(p -> p.distanceTo(middle)).sorted().toArray();
 		return off[off.length / 2] > spread
 			|| off[(int) (TrackTuning.STILL_SHARE * (off.length - 1))] > 2 * spread;
-	}
-
-	private static Point middle(final List<Point> all) {
-		return new Point(
-			RobustStatistics.upperMedian(all.stream().mapToDouble(Point::x).toArray(), Double.NaN),
-			RobustStatistics.upperMedian(all.stream().mapToDouble(Point::y).toArray(), Double.NaN));
 	}
 
 	private AnchorPath walk(final List<Seen> seen) {
@@ -189,8 +183,9 @@ record AnchorPath(List<Point> places, double[] weights) {
 	private Point offset(final List<Seen> seen) {
 		return seen.isEmpty()
 			? new Point(0, 0)
-			: middle(seen.stream().map(s -> new Point(s.chain().start().x() - at(s.index()).x(),
-				s.chain().start().y() - at(s.index()).y())).toList());
+			: RobustStatistics.upperMedian(
+				seen.stream().map(s -> new Point(s.chain().start().x() - at(s.index()).x(),
+					s.chain().start().y() - at(s.index()).y())).toList());
 	}
 
 	/** Largest distance of a place from that in another frame, in pixels. */

@@ -141,9 +141,7 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid, boolean roam
 
 	/** The median place of an end, in pixels. */
 	static Point place(final List<Chain> chains, final boolean last) {
-		final List<Point> ends = ends(chains, last);
-		return new Point(median(ends.stream().mapToDouble(Point::x).toArray()),
-			median(ends.stream().mapToDouble(Point::y).toArray()));
+		return RobustStatistics.upperMedian(ends(chains, last));
 	}
 
 	/** Median distance of an end from its median place. */

@@ -213,7 +213,7 @@ public final class FitResolver {
 		progress.report("Learning what the filament looks like", 0);
 		// Of what was cut off it is known where: lines that add up can be told, too.
 		final Set<LineModel.Kind> possible = sightings.stream().anyMatch(s -> s.frame().isClipped())
-			? EnumSet.of(LineModel.Kind.SATURATING, LineModel.Kind.ADDITIVE)
+			? LineModel.UNCLIPPED
 			: kinds;
 		return FilamentEstimator.estimate(sightings, possible, endsFree, workers, progress)
 			.map(e -> length.isPresent() ? e.withLength(length.getAsDouble()) : e)

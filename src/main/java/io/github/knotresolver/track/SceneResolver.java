@@ -4,13 +4,17 @@ package io.github.knotresolver.track;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.AnchorChoice;
+import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.track.SceneSettler.Settled;
@@ -23,17 +27,22 @@ import io.github.knotresolver.track.SceneSettler.Settled;
  */
 public final class SceneResolver {
 
+	private final List<FrameView> frames;
 	private final Set<LineModel.Kind> kinds;
 	private final Workers workers;
 	private final Progress progress;
+	/** What lines look like, once it is learned. */
+	private Optional<SceneLine> learned = Optional.empty();
 
 	/**
+	 * @param frames the frames to resolve, in order of time, at least one
 	 * @param kinds how strands may add up in this movie, at least one
 	 * @param workers threads
 	 * @param progress told how far the work is, and asked whether to stop
 	 */
-	public SceneResolver(final Set<LineModel.Kind> kinds, final Workers workers,
-		final Progress progress) {
+	public SceneResolver(final List<FrameView> frames, final Set<LineModel.Kind> kinds,
+		final Workers workers, final Progress progress) {
+		this.frames = frames;
 		this.kinds = Set.copyOf(kinds);
 		this.workers = workers;
 		this.progress = progress;
@@ -42,13 +51,12 @@ public final class SceneResolver {
 	/**
 	 * Resolves a movie. Linear in frames and filaments, but for those that touch.
 	 *
-	 * @param frames the frames to resolve, in order of time, at least one
 	 * @param anchor whether filaments are held at one end
 	 * @return all filaments; empty if there is none, or clearly only one that is clamped, for which
 	 *         there are better means
 	 */
-	public Optional<SceneTracks> resolve(final List<FrameView> frames, final AnchorChoice anchor) {
-		return solve(frames, anchor != AnchorChoice.FREE).map(s -> {
+	public Optional<SceneTracks> resolve(final AnchorChoice anchor) {
+		return solve(anchor != AnchorChoice.FREE).map(s -> {
 			final boolean[][] clear = ScenePass.of(s.filaments).clear(s.line, workers);
 			return SceneTracks.of(s.line, measured(s, clear), clear, anchor);
 		});
@@ -57,16 +65,61 @@ public final class SceneResolver {
 	/**
 	 * The movie without the light of all filaments but one.
 	 *
-	 * @param frames the frames, in order of time, at least one
 	 * @param end where one end of that filament is, in pixels
 	 * @return the frames, the light in strands; as they are if no filament ends there
 	 */
-	public List<FrameView> alone(final List<FrameView> frames, final Point end) {
-		return solve(frames, false).map(s -> {
+	public List<FrameView> alone(final Point end) {
+		return solve(false).map(s -> {
 			final ScenePass pass = ScenePass.of(s.filaments);
 			final int k = pass.endingAt(end);
 			return k < 0 ? frames : new ClampedAgain(s.line, workers, progress).alone(pass, k);
 		}).orElse(frames);
+	}
+
+	/**
+	 * Whether the movie shows one clamped filament or several, where its graphs leave that open: the
+	 * one explanation is right that leaves less light. O(pixels of the movie).
+	 *
+	 * @param one one clamped filament in each frame
+	 * @param many several
+	 * @return whether one explains the movie no worse
+	 */
+	public boolean isOne(final List<Observation> one, final SceneTracks many) {
+		return price(contours(List.of(one)), 1) <= price(
+			contours(many.filaments().stream().map(SceneTracks.Filament::frames).toList()),
+			many.filaments().size());
+	}
+
+	/** For each frame all contours that are known. */
+	private List<List<Polyline>> contours(final List<List<Observation>> filaments) {
+		final Map<Integer, List<Polyline>> byFrame = filaments.stream().flatMap(List::stream)
+			.filter(o -> o.contour().isPresent()).collect(Collectors.groupingBy(Observation::frame,
+				Collectors.mapping(o -> o.contour().orElseThrow(), Collectors.toList())));
+		return frames.stream().map(f -> byFrame.getOrDefault(f.frame(), List.of())).toList();
+	}
+
+	/**
+	 * The price of an explanation: light that is left or too much, in strands squared, mean over the
+	 * frames, and a price for each filament.
+	 *
+	 * @param contours for each frame its filaments' contours in pixels; those that are not known
+	 *          are missing
+	 */
+	double price(final List<List<Polyline>> contours, final int filaments) {
+		final SceneLine line = line();
+		return workers
+			.map(contours.size(),
+				t -> line.left(t,
+					contours.get(t).stream().filter(c -> c.length() > 0)
+						.map(c -> Chain.inScene(c, c.length())).toList()))
+			.stream().mapToDouble(Double::doubleValue).average().orElse(0)
+			+ SceneTuning.PER_FILAMENT * filaments;
+	}
+
+	private SceneLine line() {
+		if (learned.isEmpty())
+			learned = Optional.of(SceneLine.learn(frames, kinds, workers, progress));
+		return learned.get();
 	}
 
 	private record Solved(SceneLine line, SceneWeights weights, List<Settled> filaments) {
@@ -76,11 +129,11 @@ public final class SceneResolver {
 	 * @param onlyScenes whether one clamped filament, as soon as it is known to be that, is left
 	 *          alone: following it, and what is made for it, takes longer than all else
 	 */
-	private Optional<Solved> solve(final List<FrameView> frames, final boolean onlyScenes) {
+	private Optional<Solved> solve(final boolean onlyScenes) {
 		if (frames.stream().allMatch(f -> f.graph().segments().isEmpty()))
 			return Optional.empty();
 		progress.report("Learning what a filament looks like", 0);
-		final SceneLine line = SceneLine.learn(frames, kinds, workers, progress);
+		final SceneLine line = line();
 		final SceneWeights weights = SceneWeights.DEFAULT;
 		final SceneSeeds looks = new SceneSeeds(line, weights);
 		final List<PricedPass> passes = passes(line, weights, looks, looks.all(workers, progress));

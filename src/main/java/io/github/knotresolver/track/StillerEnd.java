@@ -38,16 +38,11 @@ public final class StillerEnd {
 		}
 		if (tips.size() < TrackTuning.NEARLY_ALL * frames.size())
 			return Optional.empty();
-		final Point start = middle(starts), tip = middle(tips);
+		final Point start = RobustStatistics.median(starts), tip = RobustStatistics.median(tips);
 		final double held = spread(tips, tip), loose = spread(starts, start);
 		return loose > TrackTuning.STILL_END && held < TrackTuning.HELD_SHARE * loose
 			? Optional.of(tip)
 			: Optional.empty();
-	}
-
-	private static Point middle(final List<Point> places) {
-		return new Point(RobustStatistics.median(places.stream().mapToDouble(Point::x).toArray()),
-			RobustStatistics.median(places.stream().mapToDouble(Point::y).toArray()));
 	}
 
 	private static double spread(final List<Point> places, final Point middle) {

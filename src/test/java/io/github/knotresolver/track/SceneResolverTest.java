@@ -55,8 +55,8 @@ class SceneResolverTest {
 		final List<FrameView> frames = new ArrayList<>();
 		for (int t = 0; t < chains.size(); t++)
 			frames.add(frame(t, chains.get(t), random));
-		return new SceneResolver(Set.of(Kind.ADDITIVE), Workers.HERE, Progress.NONE)
-			.resolve(frames, AnchorChoice.AUTO).orElseThrow();
+		return new SceneResolver(frames, Set.of(Kind.ADDITIVE), Workers.HERE, Progress.NONE)
+			.resolve(AnchorChoice.AUTO).orElseThrow();
 	}
 
 	/** A straight filament, from a place in a direction. */
@@ -125,10 +125,10 @@ class SceneResolverTest {
 		final List<FrameView> frames = new ArrayList<>();
 		for (int t = 0; t < FRAMES; t++)
 			frames.add(frame(t, List.of(beating(0.5 * t)), random));
-		final SceneResolver resolver = new SceneResolver(Set.of(Kind.ADDITIVE), Workers.HERE,
-			Progress.NONE);
-		assertTrue(resolver.resolve(frames, AnchorChoice.AUTO).isEmpty());
-		final SceneTracks free = resolver.resolve(frames, AnchorChoice.FREE).orElseThrow();
+		final SceneResolver resolver = new SceneResolver(frames, Set.of(Kind.ADDITIVE),
+			Workers.HERE, Progress.NONE);
+		assertTrue(resolver.resolve(AnchorChoice.AUTO).isEmpty());
+		final SceneTracks free = resolver.resolve(AnchorChoice.FREE).orElseThrow();
 		assertEquals(1, free.filaments().size());
 		assertEquals(59, free.filaments().get(0).length(), 1);
 	}

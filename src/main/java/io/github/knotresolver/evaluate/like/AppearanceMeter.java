@@ -7,10 +7,12 @@ import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 
+import org.apache.commons.math3.stat.descriptive.rank.Median;
 import org.apache.commons.math3.util.ResizableDoubleArray;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
@@ -82,7 +84,7 @@ final class AppearanceMeter {
 	}
 
 	private double median(final ToDoubleFunction<FrameSample> figure) {
-		return Medians.of(samples.stream().mapToDouble(figure).toArray());
+		return new Median().evaluate(samples.stream().mapToDouble(figure).toArray());
 	}
 
 	/** Median brightness by distance. */
@@ -92,7 +94,8 @@ final class AppearanceMeter {
 		for (final FrameSample sample : samples)
 			sample.forEachBeside((distance, arc, above) -> bins[(int) (distance / LineProfile.BIN)]
 				.addElement(above));
-		return Arrays.stream(bins).mapToDouble(b -> Medians.of(b.getElements())).toArray();
+		return Arrays.stream(bins).mapToDouble(b -> new Median().evaluate(b.getElements()))
+			.toArray();
 	}
 
 	private static double width(final double[] medians) {
@@ -111,7 +114,7 @@ final class AppearanceMeter {
 			for (final Point crossing : sample.crossings())
 				crossings.addElement(sample.above(crossing) / medians[0]);
 		if (crossings.getNumElements() >= 3)
-			return Medians.of(crossings.getElements()) < BRIGHTER;
+			return new Median().evaluate(crossings.getElements()) < BRIGHTER;
 		final int quarter = Math.max(1, (int) Math.rint(width / 4 / LineProfile.BIN - 0.5));
 		final double at = (quarter + 0.5) * LineProfile.BIN / width;
 		final double gaussian = 1 - Math.exp(-4 * Math.log(2) * at * at);
@@ -130,8 +133,9 @@ final class AppearanceMeter {
 						.addElement(above / Math.min(peak, expected));
 			});
 		final double[] along = Arrays.stream(pieces)
-			.mapToDouble(p -> p.getNumElements() == 0 ? 1 : Medians.of(p.getElements())).toArray();
-		final double middle = Medians.of(along);
+			.mapToDouble(p -> p.getNumElements() == 0 ? 1 : new Median().evaluate(p.getElements()))
+			.toArray();
+		final double middle = new Median().evaluate(along);
 		return Arrays.stream(along).map(b -> Math.max(DIMMEST, Math.min(BRIGHTEST, b / middle)))
 			.toArray();
 	}
@@ -142,6 +146,7 @@ final class AppearanceMeter {
 			sample.addNoiseOnLine(profile, differences);
 		return differences.getNumElements() < 30
 			? Double.NaN
-			: Medians.spread(differences.getElements());
+			: RobustStatistics.MAD_TO_SD * new Median()
+				.evaluate(Arrays.stream(differences.getElements()).map(Math::abs).toArray());
 	}
 }

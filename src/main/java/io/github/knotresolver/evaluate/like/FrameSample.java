@@ -6,6 +6,7 @@ import java.util.List;
 import net.imglib2.RandomAccessibleInterval;
 import net.imglib2.type.numeric.RealType;
 
+import org.apache.commons.math3.stat.descriptive.rank.Median;
 import org.apache.commons.math3.util.ResizableDoubleArray;
 
 import io.github.knotresolver.geometry.Crossings;
@@ -58,7 +59,7 @@ final class FrameSample {
 			if (isNear(i))
 				beyond[i] = Double.NaN;
 		final double[] values = Arrays.stream(beyond).filter(v -> !Double.isNaN(v)).toArray();
-		background = values.length == 0 ? range.lowest() : Medians.of(values);
+		background = values.length == 0 ? range.lowest() : new Median().evaluate(values);
 		noise = PixelNoise.of(beyond, width);
 	}
 

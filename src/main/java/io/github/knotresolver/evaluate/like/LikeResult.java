@@ -7,6 +7,8 @@ import java.util.function.ToDoubleFunction;
 import java.util.function.ToIntFunction;
 import java.util.stream.IntStream;
 
+import org.apache.commons.math3.stat.descriptive.rank.Median;
+
 import io.github.knotresolver.evaluate.CurveScore;
 import io.github.knotresolver.evaluate.FrameScore;
 
@@ -116,7 +118,7 @@ public record LikeResult(LikeSource source, LikeMotion motion, LikeTraits traits
 	 * @return its median over the simulated movies
 	 */
 	public double simulated(final String quantity) {
-		return Medians
-			.of(movies.stream().mapToDouble(m -> m.traits().values().get(quantity)).toArray());
+		return new Median().evaluate(
+			movies.stream().mapToDouble(m -> m.traits().values().get(quantity)).toArray());
 	}
 }

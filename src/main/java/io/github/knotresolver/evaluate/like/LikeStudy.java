@@ -164,8 +164,9 @@ public final class LikeStudy {
 			refusal = Optional.of(e.getMessage());
 			confidence.addAll(Collections.nCopies(truth.size(), Double.NaN));
 		}
-		return new LikeMovie(seed, Evaluation.of(truth, found, progress),
-			simulated.truth().stream().map(c -> Shape.of(c, look.width()).knotted()).toList(),
+		return new LikeMovie(
+			seed, Evaluation.of(truth, found, progress), simulated.truth().stream()
+				.map(c -> Motion.Shape.of(c, look.width()).knotted()).toList(),
 			confidence, traits(simulated, progress), refusal);
 	}
 

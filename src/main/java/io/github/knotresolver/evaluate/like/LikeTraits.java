@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
+import org.apache.commons.math3.stat.descriptive.rank.Median;
+
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Movie;
 
@@ -31,7 +33,7 @@ public record LikeTraits(Map<String, Double> values) {
 		t.put("frame interval [" + movie.calibration().timeUnit() + "]",
 			movie.calibration().frameInterval());
 		t.put("pixel size [" + unit + "]", size);
-		t.put("length [" + unit + "]", size * Medians.of(
+		t.put("length [" + unit + "]", size * new Median().evaluate(
 			contours.stream().flatMap(Optional::stream).mapToDouble(Polyline::length).toArray()));
 		t.put("line width [px]", look.width());
 		t.put("background [grey]", look.background());

@@ -5,6 +5,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
+import org.apache.commons.math3.stat.descriptive.rank.Median;
+
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.progress.Progress;
@@ -70,7 +72,7 @@ final class MotionSearch {
 		this.width = width;
 		final List<Polyline> contours = source.contours().stream().flatMap(Optional::stream)
 			.toList();
-		length = Medians.of(contours.stream().mapToDouble(Polyline::length).toArray())
+		length = new Median().evaluate(contours.stream().mapToDouble(Polyline::length).toArray())
 			* source.pixelSize();
 		clamp = turning(contours) > TURNS ? Clamp.PIVOT : Clamp.DIRECTION;
 		expected = Math.max(0.02, wanted.tipStep() * source.pixelSize() / TIP_SPEED);
@@ -115,7 +117,7 @@ final class MotionSearch {
 
 	private Reading best(final double density, final long seed, final Progress progress) {
 		final double step = expected / FINE;
-		final List<List<Shape>> recordings = new ArrayList<>();
+		final List<List<Motion.Shape>> recordings = new ArrayList<>();
 		for (int i = 0; i < RECORDINGS; i++)
 			recordings.add(record(density, step, seed + SEEDS_APART * i, progress));
 		final List<Reading> readings = new ArrayList<>();
@@ -129,7 +131,7 @@ final class MotionSearch {
 		return readings.stream().min(Comparator.comparingDouble(Reading::unlike)).orElseThrow();
 	}
 
-	private List<Shape> record(final double density, final double step, final long seed,
+	private List<Motion.Shape> record(final double density, final double step, final long seed,
 		final Progress progress) {
 		final double last = STARTS[STARTS.length - 1];
 		final double time = Math.min(LONGEST,
@@ -137,13 +139,13 @@ final class MotionSearch {
 		final int recorded = (int) Math.max(2, Math.min(MOST_FRAMES, Math.ceil(time / step)));
 		return new FilamentSimulator(
 			new LikeMotion(length, clamp, density, step, 0).simulation(recorded, seed))
-			.run(progress).curves().stream().map(c -> Shape.of(c, width * source.pixelSize()))
-			.toList();
+			.run(progress).curves().stream()
+			.map(c -> Motion.Shape.of(c, width * source.pixelSize())).toList();
 	}
 
 	/** How unlike the frames from one on, every so many, are; infinite if there are too few. */
-	private double unlike(final List<Shape> recording, final int from, final int stride) {
-		final List<Shape> frames = new ArrayList<>();
+	private double unlike(final List<Motion.Shape> recording, final int from, final int stride) {
+		final List<Motion.Shape> frames = new ArrayList<>();
 		for (int i = from; i < recording.size()
 			&& frames.size() < source.movie().size(); i += stride)
 			frames.add(recording.get(i));

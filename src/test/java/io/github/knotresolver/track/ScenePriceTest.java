@@ -16,22 +16,23 @@ import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 
-class LightLeftTest {
+class ScenePriceTest {
 
 	private static final int FRAMES = 6;
 
 	private final List<FrameView> frames = new ArrayList<>();
 	private final List<Polyline> first = new ArrayList<>(), second = new ArrayList<>();
-	private final LightLeft left;
+	private final SceneResolver resolver;
 
 	/** Two lines that cross. */
-	LightLeftTest() {
+	ScenePriceTest() {
 		for (int t = 0; t < FRAMES; t++) {
 			first.add(Drawn.line(15, 50, 55, 50 + t, 95, 50).resampled(1));
 			second.add(Drawn.line(30 + t, 15, 60, 95).resampled(1));
 			frames.add(DrawnFrames.lines(t + 1, first.get(t), second.get(t)));
 		}
-		left = new LightLeft(frames, Set.of(LineModel.Kind.values()), Workers.HERE, Progress.NONE);
+		resolver = new SceneResolver(frames, Set.of(LineModel.Kind.values()), Workers.HERE,
+			Progress.NONE);
 	}
 
 	private double price(final List<List<Polyline>> filaments) {
@@ -40,7 +41,7 @@ class LightLeftTest {
 			final int frame = t;
 			byFrame.add(filaments.stream().map(f -> f.get(frame)).toList());
 		}
-		return left.price(byFrame, filaments.size());
+		return resolver.price(byFrame, filaments.size());
 	}
 
 	@Test
