@@ -139,6 +139,14 @@ final class SessionTuning {
 	static final double LIKELY_SHARE = 1 / 3.0;
 
 	/**
+	 * [share] No contour is surer than so many times the share of contours that are likely right,
+	 * or than half way.
+	 * Why: where four of ten are in doubt one wrong length or end may be behind all, and the rest
+	 * is not believed (0.9); where fewer are it is the frames themselves.
+	 */
+	static final double SURE_BY_OTHERS = 1.5;
+
+	/**
 	 * [px] What moves by less on average stands still. Why: contours of the same filament are found
 	 * again within that.
 	 */

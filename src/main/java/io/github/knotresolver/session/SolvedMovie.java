@@ -1,7 +1,6 @@
 package io.github.knotresolver.session;
 
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -143,7 +142,7 @@ final class SolvedMovie {
 	private List<FilamentTrack> of(final SceneTracks found, final List<String> notes) {
 		notes.add("Line model: " + found.model() + ".");
 		notes.addAll(found.notes());
-		return SceneDelivery.tracks(found, o -> everyFrame(prepared.withLost(o)));
+		return SceneDelivery.tracks(found, this::everyFrame);
 	}
 
 	/** The one filament that is clamped. */
@@ -160,12 +159,12 @@ final class SolvedMovie {
 			throw nothingFound(movie, told);
 		notes.addAll(found.notes());
 		return new FilamentTrack(1, Anchor.CLAMPED, Optional.of(found.fixedEnd()), found.length(),
-			found.lengthError(), everyFrame(prepared.withLost(found.frames())));
+			found.lengthError(), everyFrame(found.frames()));
 	}
 
-	private List<Observation> everyFrame(final Collection<Observation> found) {
+	private List<Observation> everyFrame(final List<Observation> found) {
 		final Map<Integer, Observation> byFrame = new HashMap<>();
-		found.forEach(f -> byFrame.put(f.frame(), f));
+		Verdict.doubted(prepared.withLost(found)).forEach(f -> byFrame.put(f.frame(), f));
 		final List<Observation> all = new ArrayList<>();
 		for (int frame = 1; frame <= movie.size(); frame++)
 			all.add(byFrame.getOrDefault(frame,

@@ -17,6 +17,8 @@ import io.github.knotresolver.model.Observation;
  */
 final class Verdict {
 
+	private static final String MOSTLY_DOUBTFUL = "Doubtful: the filament is in doubt in many other frames, and they tell about this one.";
+
 	private Verdict() {
 	}
 
@@ -46,6 +48,27 @@ final class Verdict {
 		final List<Observation> all = followed(frames);
 		return all.size() >= SessionTuning.VERDICT_FRAMES
 			&& likely(all) < SessionTuning.LIKELY_SHARE * all.size();
+	}
+
+	/**
+	 * The frames of a movie tell about each other by length and motion: a contour cannot be sure
+	 * where the filament is in doubt in most other frames.
+	 *
+	 * @param frames of one filament, in order of time
+	 * @return the same contours, with confidences that are never raised; what the user said stays
+	 */
+	static List<Observation> doubted(final List<Observation> frames) {
+		final List<Observation> all = followed(frames);
+		if (all.size() < SessionTuning.VERDICT_FRAMES)
+			return frames;
+		final double most = Math.max(SessionTuning.LIKELY,
+			SessionTuning.SURE_BY_OTHERS * likely(all) / all.size());
+		return frames.stream()
+			.map(o -> o.status() == FrameStatus.RESOLVED && o.confidence() > most
+				? o.withConfidence(most,
+					most > Observation.SURE || !o.reason().isEmpty() ? o.reason() : MOSTLY_DOUBTFUL)
+				: o)
+			.toList();
 	}
 
 	private static List<Observation> followed(final List<Observation> frames) {

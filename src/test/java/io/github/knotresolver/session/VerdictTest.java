@@ -3,6 +3,7 @@ package io.github.knotresolver.session;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntToDoubleFunction;
@@ -53,5 +54,34 @@ class VerdictTest {
 		assertTrue(on(still).get(0).startsWith("Nothing moves: the contour is"),
 			on(still).toString());
 		assertEquals(List.of(), on(still, moving));
+	}
+
+	@Test
+	void noContourIsSureWhereTheFilamentIsInDoubtInMostFrames() {
+		final List<Observation> doubtful = Verdict
+			.doubted(track(1, t -> t < 6 ? 0.99 : 0.1).frames());
+		assertEquals(1.5 * 6 / 12, doubtful.get(0).confidence());
+		assertTrue(doubtful.get(0).reason().contains("other frames"), doubtful.get(0).reason());
+		assertEquals(0.1, doubtful.get(6).confidence());
+		assertEquals("", doubtful.get(6).reason());
+		assertEquals(0.5,
+			Verdict.doubted(track(1, t -> t < 1 ? 0.99 : 0.1).frames()).get(0).confidence());
+		final List<Observation> mostlySure = track(1, t -> t < 8 ? 0.99 : 0.1).frames();
+		assertEquals(mostlySure, Verdict.doubted(mostlySure));
+	}
+
+	@Test
+	void fewFramesSayNothingAboutEachOther() {
+		final List<Observation> few = track(1, t -> t < 1 ? 0.99 : 0.1).frames().subList(0, 4);
+		assertEquals(few, Verdict.doubted(few));
+	}
+
+	@Test
+	void whatTheUserSaidIsNotDoubted() {
+		final List<Observation> frames = new ArrayList<>(track(1, t -> 0.1).frames());
+		final Observation first = frames.get(0);
+		frames.set(0, new Observation(1, FrameStatus.CORRECTED, Observation.GIVEN, first.contour(),
+			0, 1, 0, 1));
+		assertEquals(frames, Verdict.doubted(frames));
 	}
 }
