@@ -1,6 +1,5 @@
 package io.github.knotresolver.session;
 
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -32,7 +31,6 @@ import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.skeleton.Skeletonize;
 import io.github.knotresolver.track.FitResolver;
-import io.github.knotresolver.track.FitResolver.Resolved;
 import io.github.knotresolver.track.FitSolver;
 import io.github.knotresolver.track.FrameGraph;
 import io.github.knotresolver.track.FrameView;
@@ -78,7 +76,7 @@ final class FrameResolver {
 	Optional<Track> resolve(final List<Constraint> said, final Workers workers,
 		final Progress progress) {
 		if (parameters.refine() && parameters.resolver() == ResolverMethod.MOVIE)
-			return solver(workers, progress).map(s -> found(s.solve(said, workers, progress)));
+			return solver(workers, progress).map(s -> s.solve(said, workers, progress));
 		final Track track = onSkeletons(contours(said), workers, progress);
 		return Optional.of(parameters.refine() ? refined(track, workers, progress) : track);
 	}
@@ -158,14 +156,6 @@ final class FrameResolver {
 			? track
 			: fits(TrailCandidates.DEFAULT, workers, progress)
 				.refine(seen, track, fixedEnd, parameters.length()).orElse(track);
-	}
-
-	private static Track found(final Resolved r) {
-		final List<String> notes = new ArrayList<>(
-			List.of("Line model: " + r.estimate().model() + "."));
-		notes.addAll(r.notes());
-		return new Track(r.estimate().fixedEnd(), r.estimate().length(), r.estimate().lengthError(),
-			r.frames(), notes);
 	}
 
 	private CandidateGenerator generator() {

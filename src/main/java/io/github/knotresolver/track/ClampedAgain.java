@@ -73,8 +73,8 @@ final class ClampedAgain {
 	}
 
 	/** A frame without a contour has that of the nearest one before, or after. */
-	private static Optional<Settled> settled(final FitResolver.Resolved found) {
-		final int links = Chain.linksInScene(found.estimate().length());
+	private static Optional<Settled> settled(final Track found) {
+		final int links = Chain.linksInScene(found.length());
 		final List<Chain> chains = new ArrayList<>();
 		final double[] gap = new double[found.frames().size()];
 		Polyline last = found.frames().stream().map(Observation::contour).flatMap(Optional::stream)
@@ -87,6 +87,6 @@ final class ClampedAgain {
 			gap[t] = o.contour().isPresent() ? SceneConfidence.gapOf(o.confidence()) : 0;
 			chains.add(Chain.along(last, links, last.length()));
 		}
-		return Optional.of(new Settled(chains, gap, found.estimate().lengthError()));
+		return Optional.of(new Settled(chains, gap, found.lengthError()));
 	}
 }

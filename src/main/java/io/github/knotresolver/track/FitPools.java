@@ -25,6 +25,27 @@ import io.github.knotresolver.progress.Progress;
 record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCourse course,
 	List<CandidateSet> sets, List<List<Fit>> fits, FitSettings settings) {
 
+	/** A place has two coordinates, each of which fits the noise of a pixel. */
+	private static final int FREEDOM = 2;
+
+	/** @return price of all frames' cheapest fits; a frame that nothing explains costs nothing */
+	double price() {
+		return fits.stream()
+			.mapToDouble(f -> f.stream().mapToDouble(Fit::energy).reduce(0, Math::min)).sum();
+	}
+
+	/**
+	 * Of a fixed end that moves, as here, and one that stays, the one that explains more light: a
+	 * place of its own in each frame explains some of the noise.
+	 *
+	 * @param still what is found if it stays
+	 * @return one of both
+	 */
+	FitPools orStill(final FitPools still) {
+		final double noise = course.noise();
+		return still.price() < price() + FREEDOM * noise * noise * fits.size() ? still : this;
+	}
+
 	/** @return the fitter of a frame */
 	FilamentFitter fitter(final int t) {
 		return fitter(t, settings);

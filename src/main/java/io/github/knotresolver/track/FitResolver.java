@@ -33,7 +33,6 @@ import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.GraphTuning;
 import io.github.knotresolver.model.LengthModel;
-import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 
@@ -65,18 +64,6 @@ public final class FitResolver {
 		this.lengths = lengths;
 		this.workers = workers;
 		this.progress = progress;
-	}
-
-	/**
-	 * What was found.
-	 *
-	 * @param estimate line, length and fixed end
-	 * @param frames one for each frame asked for, in the same order
-	 * @param evidence what can be seen of each frame's contour; empty where there is none
-	 * @param notes what a user should know, one sentence each
-	 */
-	public record Resolved(FilamentEstimate estimate, List<Observation> frames,
-		List<Optional<FitEvidence>> evidence, List<String> notes) {
 	}
 
 	/**
@@ -223,24 +210,25 @@ public final class FitResolver {
 	}
 
 	private FitPools pools(final Seen seen) {
-		final Proposed first = proposed(seen.frames, seen.course);
-		final Proposed best = seen.endIsDoubtful
+		final FitPools first = proposed(seen.frames, seen.course);
+		final FitPools best = seen.endIsDoubtful
 			? first.orStill(proposed(seen.frames, seen.still()))
 			: first;
 		final FilamentCourse settled = best.course()
 			.withAnchor(best.course().anchor().refined(best.fits()));
-		return new FitPools(seen.frames, best.light(), settled, best.sets(),
+		return new FitPools(best.frames(), best.light(), settled, best.sets(),
 			pools(best.light(), settled, repriced(best.fits(), best.light(), settled)),
-			settings(best.course()));
+			best.settings());
 	}
 
 	/** The graph's proposals for a course, fitted. */
-	private Proposed proposed(final List<FrameView> frames, final FilamentCourse course) {
+	private FitPools proposed(final List<FrameView> frames, final FilamentCourse course) {
 		final boolean free = lengths == LengthModel.FREE;
 		final List<CandidateSet> sets = candidates(frames, course.anchor()::at,
 			t -> free ? OptionalDouble.empty() : OptionalDouble.of(course.in(t).length()));
 		final List<NormalizedFrame> light = light(frames, course.estimate());
-		return new Proposed(course, light, sets, proposals(frames, light, course, sets));
+		return new FitPools(frames, light, course, sets, proposals(frames, light, course, sets),
+			settings(course));
 	}
 
 	/** The same fits, at the price of another anchor. */

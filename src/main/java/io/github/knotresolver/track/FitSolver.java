@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
@@ -12,7 +13,6 @@ import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
-import io.github.knotresolver.track.FitResolver.Resolved;
 
 /**
  * Answers for one movie, again and again. What the user says of a frame leaves fewer fits
@@ -44,17 +44,34 @@ public final class FitSolver {
 	 * @param progress told how far the work is, and asked whether to stop
 	 * @return one contour a frame
 	 */
-	public Resolved solve(final List<Constraint> constraints, final Workers workers,
+	public Track solve(final List<Constraint> constraints, final Workers workers,
 		final Progress progress) {
 		final SortedMap<Integer, Restriction> said = byFrame(constraints);
 		consider(said, workers, progress);
-		final List<List<Fit>> fits = fits(said);
+		final FitTrellis.Solved solved = solved(said, progress);
 		final FilamentCourse course = pools.course();
-		final FitTrellis.Solved solved = new FitTrellis(pools.frames(), pools.light(), course, fits,
-			pools.sets(), this::look).solve(said, progress);
-		return new Resolved(course.estimate(), TurnedRound.doubted(solved.frames()),
-			solved.evidence(),
+		final List<String> notes = new ArrayList<>(
+			List.of("Line model: " + course.estimate().model() + "."));
+		notes.addAll(
 			course.withLength(course.length().settled(solved.lengths())).notes(pools.frames()));
+		return new Track(course.estimate().fixedEnd(), course.estimate().length(),
+			course.estimate().lengthError(), TurnedRound.doubted(solved.frames()), notes);
+	}
+
+	/**
+	 * What can be seen of the contours that are chosen if the user says nothing.
+	 *
+	 * @param progress asked whether to stop
+	 * @return for each frame; empty where there is no contour
+	 */
+	public List<Optional<FitEvidence>> evidence(final Progress progress) {
+		return solved(new TreeMap<>(), progress).evidence();
+	}
+
+	private FitTrellis.Solved solved(final SortedMap<Integer, Restriction> said,
+		final Progress progress) {
+		return new FitTrellis(pools.frames(), pools.light(), pools.course(), fits(said),
+			pools.sets(), this::look).solve(said, progress);
 	}
 
 	private SortedMap<Integer, Restriction> byFrame(final List<Constraint> constraints) {

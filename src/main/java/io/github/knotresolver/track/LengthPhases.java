@@ -4,6 +4,7 @@ package io.github.knotresolver.track;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.progress.Cancellation;
@@ -11,12 +12,16 @@ import io.github.knotresolver.progress.Cancellation;
 /**
  * A length that grows, shrinks and stays by turns, each at a steady rate, as that of a
  * microtubule does: straight pieces from one known length to another, joined. Which those are
- * is found exactly by dynamic programming; O(lengths³).
+ * is found by dynamic programming, exactly and in O(n³) for n lengths; of more than {@value #MOST},
+ * only so many may be an end of a phase, so that it is O(n) beyond.
  *
  * @param lengths in pixels by index of the frame
  * @param turns how often the rate changes
  */
 record LengthPhases(double[] lengths, int turns) {
+
+	/** Of more lengths, so many that are spread evenly may be the end of a phase. */
+	private static final int MOST = 500;
 
 	/**
 	 * The phases that explain some lengths most cheaply.
@@ -29,17 +34,19 @@ record LengthPhases(double[] lengths, int turns) {
 	 */
 	static LengthPhases of(final int[] seen, final double[] known, final int frames,
 		final double error, final double turn) {
-		final int last = known.length - 2;
-		final double[] calm = calm(known), cost = new double[last + 1];
-		final int[] from = new int[last + 1];
-		Arrays.fill(cost, 2, last + 1, Double.POSITIVE_INFINITY);
-		for (int j = 2; j <= last; j++) {
+		final int[] ends = ends(known.length);
+		final int last = ends.length - 1;
+		final double[] calm = calm(known), cost = new double[ends.length];
+		final int[] from = new int[ends.length];
+		Arrays.fill(cost, 1, ends.length, Double.POSITIVE_INFINITY);
+		for (int j = 1; j <= last; j++) {
 			Cancellation.check();
-			for (int i = 1; i < j; i++) {
-				final double price = cost[i] + (i > 1 ? turn : 0);
-				if ((i == 1 || j == last || j - i >= TrackTuning.BESIDE_BREAK) && price < cost[j]) {
-					final double whole = price
-						+ misfit(seen, known, calm, new int[]{i, j}, error, cost[j] - price);
+			for (int i = 0; i < j; i++) {
+				final double price = cost[i] + (i > 0 ? turn : 0);
+				if ((i == 0 || j == last || ends[j] - ends[i] >= TrackTuning.BESIDE_BREAK)
+					&& price < cost[j]) {
+					final double whole = price + misfit(seen, known, calm,
+						new int[]{ends[i], ends[j]}, error, cost[j] - price);
 					if (whole < cost[j]) {
 						cost[j] = whole;
 						from[j] = i;
@@ -47,10 +54,17 @@ record LengthPhases(double[] lengths, int turns) {
 				}
 			}
 		}
-		final List<Integer> knots = new ArrayList<>(List.of(last));
-		for (int j = last; j > 1; j = from[j])
-			knots.add(0, from[j]);
+		final List<Integer> knots = new ArrayList<>(List.of(ends[last]));
+		for (int j = last; j > 0; j = from[j])
+			knots.add(0, ends[from[j]]);
 		return new LengthPhases(drawn(seen, calm, frames, knots), knots.size() - 2);
+	}
+
+	/** Where a phase may end: at all known lengths but the first and last one, or at some of them. */
+	private static int[] ends(final int known) {
+		final int span = known - 3, count = Math.min(span, MOST - 1) + 1;
+		return IntStream.range(0, count).map(i -> 1 + (int) ((long) i * span / (count - 1)))
+			.toArray();
 	}
 
 	/** Medians of three: one wrong length is no end of a phase. */

@@ -28,7 +28,6 @@ import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.track.FitEvidence;
 import io.github.knotresolver.track.FitResolver;
-import io.github.knotresolver.track.FitResolver.Resolved;
 import io.github.knotresolver.track.FixedEndFinder;
 
 /**
@@ -75,19 +74,21 @@ public final class ConfidenceMain {
 				.flatMap(end -> new FitResolver(TrailCandidates.DEFAULT, prepared.kinds(),
 					settings.lengthModel(), workers, Progress.NONE)
 					.learn(prepared.frames(), end, settings.length()))
-				.map(solver -> solver.solve(List.of(), workers, Progress.NONE))
-				.ifPresent(found -> write(name, prepared, found, truth, out));
+				.ifPresent(solver -> write(name, prepared,
+					solver.solve(List.of(), workers, Progress.NONE).frames(),
+					solver.evidence(Progress.NONE), truth, out));
 		} catch (final IllegalArgumentException e) {
 			System.err.println(file + ": " + e.getMessage());
 		}
 		System.err.println(name);
 	}
 
-	private static void write(final String name, final PreparedMovie prepared, final Resolved found,
+	private static void write(final String name, final PreparedMovie prepared,
+		final List<Observation> frames, final List<Optional<FitEvidence>> seen,
 		final Map<Integer, Polyline> truth, final PrintStream out) {
-		for (int t = 0; t < found.frames().size(); t++) {
-			final Observation frame = found.frames().get(t);
-			final Optional<FitEvidence> evidence = found.evidence().get(t);
+		for (int t = 0; t < frames.size(); t++) {
+			final Observation frame = frames.get(t);
+			final Optional<FitEvidence> evidence = seen.get(t);
 			final Polyline right = truth.get(frame.frame());
 			if (right == null || frame.contour().isEmpty() || evidence.isEmpty())
 				continue;

@@ -8,6 +8,7 @@ import java.util.Random;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -96,6 +97,23 @@ class LengthCourseTest {
 		assertEquals(Kind.PHASES, course.kind(), "seed " + seed);
 		for (int t = 0; t < FRAMES; t++)
 			assertEquals(truth.applyAsDouble(t), course.of(t), 5, "seed " + seed + ", frame " + t);
+	}
+
+	@Test
+	void phasesOfALongMovieAreFollowed() {
+		final int frames = 1300;
+		final IntToDoubleFunction truth = t -> t < 400
+			? 100 + 0.2 * t
+			: t < 900 ? 180 : 180 - 0.3 * (t - 900);
+		final Random random = new Random(5);
+		final int[] seen = IntStream.range(0, frames).toArray();
+		final double[] known = IntStream.of(seen)
+			.mapToDouble(t -> truth.applyAsDouble(t) * (1 + 0.003 * random.nextGaussian()))
+			.toArray();
+		final LengthPhases phases = LengthPhases.of(seen, known, frames, 0.5, 20);
+		assertEquals(2, phases.turns());
+		for (int t = 0; t < frames; t++)
+			assertEquals(truth.applyAsDouble(t), phases.lengths()[t], 2, "frame " + t);
 	}
 
 	@ParameterizedTest

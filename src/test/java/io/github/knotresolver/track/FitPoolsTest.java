@@ -15,23 +15,24 @@ import io.github.knotresolver.Drawn;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.fit.Fit;
+import io.github.knotresolver.fit.FitSettings;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.track.OpenFrames.Seen;
 
 /** Whether a fixed end moves, where hardly any frame shows it. */
-class ProposedTest {
+class FitPoolsTest {
 
 	private static final double NOISE = 0.7;
 
-	private static Proposed with(final double... energies) {
+	private static FitPools with(final double... energies) {
 		final FilamentEstimate estimate = new FilamentEstimate(
 			LineModel.uniform(LineModel.Kind.ADDITIVE, 1.5, 1), 1, 50, 0.1, new Point(0, 0));
-		return new Proposed(
+		return new FitPools(List.of(), List.of(),
 			new FilamentCourse(estimate, AnchorPath.still(new Point(0, 0), energies.length),
 				LengthCourse.constant(50, energies.length), NOISE, 1),
-			List.of(), List.of(),
-			Arrays.stream(energies).mapToObj(e -> List.of(fit(e), fit(e + 3))).toList());
+			List.of(), Arrays.stream(energies).mapToObj(e -> List.of(fit(e), fit(e + 3))).toList(),
+			FitSettings.DEFAULT);
 	}
 
 	private static Fit fit(final double energy) {
@@ -45,7 +46,7 @@ class ProposedTest {
 
 	@Test
 	void anEndStaysUnlessMovingExplainsMoreThanNoise() {
-		final Proposed moving = with(-10, -20), alike = with(-9.5, -20), worse = with(-10, -17);
+		final FitPools moving = with(-10, -20), alike = with(-9.5, -20), worse = with(-10, -17);
 		assertSame(alike, moving.orStill(alike));
 		assertSame(moving, moving.orStill(worse));
 	}
