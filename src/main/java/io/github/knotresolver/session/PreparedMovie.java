@@ -51,6 +51,13 @@ record PreparedMovie(List<FrameView> frames, WorkingPixels pixels, List<Observat
 			bright == movie ? List.of() : List.of(EvidenceNotes.DARK));
 	}
 
+	/** @return the same with other light and graphs in its frames, and one note more */
+	PreparedMovie with(final List<FrameView> others, final String note) {
+		final List<String> more = new ArrayList<>(notes);
+		more.add(note);
+		return new PreparedMovie(others, pixels, lost, kinds, more);
+	}
+
 	/** @return the frames that were resolved, and those without light */
 	List<Observation> withLost(final Collection<Observation> resolved) {
 		final List<Observation> all = new ArrayList<>(lost);

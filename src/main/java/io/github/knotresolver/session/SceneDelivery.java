@@ -12,7 +12,6 @@ import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.model.Anchor;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Observation;
-import io.github.knotresolver.track.SceneTracks;
 import io.github.knotresolver.track.SceneTracks.Filament;
 
 /** The filaments of a scene as tracks. */
@@ -22,15 +21,16 @@ final class SceneDelivery {
 	}
 
 	/**
-	 * @param scene what was found
+	 * @param found filaments
+	 * @param first the number of the first one
 	 * @param everyFrame completes the observations of the frames that were resolved
 	 */
-	static List<FilamentTrack> tracks(final SceneTracks scene,
+	static List<FilamentTrack> tracks(final List<Filament> found, final int first,
 		final Function<List<Observation>, List<Observation>> everyFrame) {
 		final List<FilamentTrack> tracks = new ArrayList<>();
-		for (final Filament f : scene.filaments())
+		for (final Filament f : found)
 			tracks.add(
-				new FilamentTrack(tracks.size() + 1, f.clamped() ? Anchor.CLAMPED : Anchor.FREE,
+				new FilamentTrack(first + tracks.size(), f.clamped() ? Anchor.CLAMPED : Anchor.FREE,
 					f.clamped() ? fixedEnd(f) : Optional.empty(), f.length(), f.lengthError(),
 					everyFrame.apply(f.frames())));
 		return tracks;

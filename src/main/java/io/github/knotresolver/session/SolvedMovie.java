@@ -25,6 +25,7 @@ import io.github.knotresolver.track.FrameView;
 import io.github.knotresolver.track.SceneResolver;
 import io.github.knotresolver.track.SceneTracks;
 import io.github.knotresolver.track.SingleFilament;
+import io.github.knotresolver.track.StillLines;
 import io.github.knotresolver.track.Track;
 
 /** A movie as far as it is known without a word of the user: frames as graphs, and who answers. */
@@ -34,10 +35,14 @@ final class SolvedMovie {
 	private final PreparedMovie prepared;
 	private final Optional<SceneTracks> scene;
 	private final Optional<FrameResolver> single;
+	/** Lines that lie still; they come after all others. */
+	private final List<SceneTracks.Filament> still;
 
 	private SolvedMovie(final Movie movie, final PreparedMovie prepared,
-		final Optional<SceneTracks> scene, final Optional<FrameResolver> single) {
+		final List<SceneTracks.Filament> still, final Optional<SceneTracks> scene,
+		final Optional<FrameResolver> single) {
 		this.movie = movie;
+		this.still = still;
 		this.prepared = prepared;
 		this.scene = scene;
 		this.single = single;
@@ -51,10 +56,14 @@ final class SolvedMovie {
 	 */
 	static SolvedMovie look(final Movie movie, final Settings settings, final List<Integer> wanted,
 		final Workers workers, final Progress progress) {
-		final PreparedMovie prepared = PreparedMovie.of(movie, settings, wanted, workers, progress);
-		if (prepared.frames().isEmpty())
+		final PreparedMovie whole = PreparedMovie.of(movie, settings, wanted, workers, progress);
+		if (whole.frames().isEmpty())
 			throw nothingFound(movie, settings);
-		final Progress placed = new PlacedProgress(progress, prepared.pixels()::out);
+		final Progress placed = new PlacedProgress(progress, whole.pixels()::out);
+		final StillLines.Found still = still(whole, settings, workers, placed);
+		final PreparedMovie prepared = still.lines().isEmpty()
+			? whole
+			: whole.with(still.rest(), note(still.lines().size()));
 		final boolean alone = settings.anchor() != AnchorChoice.FREE
 			&& SingleFilament.isClampedAlone(prepared.frames());
 		final SceneResolver scenes = new SceneResolver(prepared.frames(), prepared.kinds(), workers,
@@ -63,7 +72,7 @@ final class SolvedMovie {
 			? Optional.empty()
 			: scene(scenes, settings);
 		if (scene.isPresent() && !mayBeOne(scene.get(), settings, prepared))
-			return new SolvedMovie(movie, prepared, scene, Optional.empty());
+			return new SolvedMovie(movie, prepared, still.lines(), scene, Optional.empty());
 		final FrameResolver single = single(movie, prepared, settings, workers, placed);
 		final boolean undecided = scene.isPresent() || alone && settings.deliversAll();
 		final Optional<Track> one = undecided
@@ -78,8 +87,23 @@ final class SolvedMovie {
 		final boolean isOne = many.isEmpty() || one.isPresent() && (!doubtful || scene.isEmpty())
 			&& scenes.isOne(one.get().frames(), many.get());
 		return isOne
-			? new SolvedMovie(movie, prepared, Optional.empty(), Optional.of(single))
-			: new SolvedMovie(movie, prepared, many, Optional.empty());
+			? new SolvedMovie(movie, prepared, still.lines(), Optional.empty(), Optional.of(single))
+			: new SolvedMovie(movie, prepared, still.lines(), many, Optional.empty());
+	}
+
+	/** Lines that lie still, and the movie without them. */
+	private static StillLines.Found still(final PreparedMovie prepared, final Settings settings,
+		final Workers workers, final Progress progress) {
+		return settings.fitsTrails()
+			? StillLines.in(prepared.frames(), prepared.kinds(),
+				prepared.pixels().of(settings).fixedEnd().stream().toList(), workers, progress)
+			: new StillLines.Found(prepared.frames(), List.of());
+	}
+
+	private static String note(final int lines) {
+		return (lines == 1 ? "A line lies still" : lines + " lines lie still")
+			+ " while something moves over " + (lines == 1 ? "it; its" : "them; their")
+			+ " light was taken off before all else was followed.";
 	}
 
 	/** All filaments of the movie; empty if it holds one that is clamped. */
@@ -128,31 +152,41 @@ final class SolvedMovie {
 	 */
 	Tracks solve(final Settings told, final Workers workers, final Progress progress) {
 		final List<String> notes = new ArrayList<>(prepared.notes());
-		final List<FilamentTrack> filaments = scene.isPresent()
+		final List<FilamentTrack> filaments = new ArrayList<>(scene.isPresent()
 			? of(scene.get(), notes)
-			: List.of(one(told, notes, workers, progress));
+			: List.of(one(told, notes, workers, progress)));
+		final int moving = filaments.size();
+		filaments.addAll(SceneDelivery.tracks(delivered(told), moving + 1, this::everyFrame));
 		told.constraints().forEach(c -> requireFilament(c, filaments.size()));
 		final List<FilamentTrack> exchanged = Exchanges
 			.in(filaments.stream().map(prepared.pixels()::out).toList(), told.constraints());
-		notes.addAll(Verdict.on(exchanged));
-		final GivenContours given = new GivenContours(told.constraints(), scene.isPresent());
-		return new Tracks(movie, told, exchanged.stream().map(given::over).toList(), notes);
+		notes.addAll(Verdict.on(exchanged.subList(0, moving)));
+		return new Tracks(movie, told,
+			exchanged.stream().map(f -> new GivenContours(told.constraints(),
+				scene.isPresent() || f.id() > moving).over(f)).toList(),
+			notes);
+	}
+
+	/** The lines that lie still, if all filaments are asked for. */
+	private List<SceneTracks.Filament> delivered(final Settings told) {
+		return told.deliversAll() ? still : List.of();
 	}
 
 	private List<FilamentTrack> of(final SceneTracks found, final List<String> notes) {
 		notes.add("Line model: " + found.model() + ".");
 		notes.addAll(found.notes());
-		return SceneDelivery.tracks(found, this::everyFrame);
+		return SceneDelivery.tracks(found.filaments(), 1, this::everyFrame);
 	}
 
 	/** The one filament that is clamped. */
 	private FilamentTrack one(final Settings told, final List<String> notes, final Workers workers,
 		final Progress progress) {
-		told.constraints().forEach(c -> requireFilament(c, 1));
+		told.constraints().forEach(c -> requireFilament(c, 1 + delivered(told).size()));
 		final Track found = single.orElseThrow()
 			.resolve(
 				prepared.pixels()
-					.in(told.constraints().stream().filter(c -> c.kind().isOfContour()).toList()),
+					.in(told.constraints().stream()
+						.filter(c -> c.kind().isOfContour() && c.filament() == 1).toList()),
 				workers, new PlacedProgress(progress, prepared.pixels()::out))
 			.orElseThrow(() -> nothingFound(movie, told));
 		if (found.frames().stream().allMatch(f -> f.contour().isEmpty()))

@@ -71,7 +71,8 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		return new SceneLine(LineTables.together(line.model()), known, noise[noise.length / 2]);
 	}
 
-	private static double firstStrand(final List<FrameView> frames) {
+	/** About how bright a strand is above the background, in the frames' units. */
+	static double firstStrand(final List<FrameView> frames) {
 		final int stride = 1 + (frames.size() - 1) / SceneTuning.LINE_LOOKS;
 		final double[] values = IntStream.range(0, frames.size()).filter(t -> t % stride == 0)
 			.mapToObj(frames::get)

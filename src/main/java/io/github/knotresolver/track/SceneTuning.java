@@ -707,4 +707,55 @@ final class SceneTuning {
 
 	private SceneTuning() {
 	}
+
+	/** [frames] Fewer frames do not tell what lies still. Why: a filament may rest for as long. */
+	static final int STILL_LEAST = 10;
+
+	/** [frames] So many tell it. Why: in a tenth of them three are dark. */
+	static final int STILL_LOOKS = 32;
+
+	/**
+	 * [frames] Ends that lie still are looked for in so many. Why: in one of them an end may be
+	 * hidden.
+	 */
+	static final int STILL_END_LOOKS = 5;
+
+	/**
+	 * [px] An end lies still if one is seen so near to it. Why: skeletons end up to half a line's
+	 * width too early.
+	 */
+	static final double STILL_END_NEAR = 5;
+
+	/** [share] ... in so many of the frames. Why: others lie on it for a while. */
+	static final double STILL_END_SEEN = 0.75;
+
+	/**
+	 * [strands² px] Bending of a line that lies still costs so much. Why: it hardly bends within
+	 * the 30 px in which a filament runs into it.
+	 */
+	static final double STILL_STIFFNESS = 100;
+
+	/** [sweeps] ... in so many rounds with all others. Why: after two, none moves by a tenth. */
+	static final int STILL_SWEEPS = 3;
+
+	/** [strands] What is brighter lies in a line. Why: its flanks are half as bright. */
+	static final double STILL_BRIGHT = 0.5;
+
+	/**
+	 * [share] A line lies still as long as its brightness is the same within this. Why: noise is
+	 * less, and a line that moves by its width leaves less than half.
+	 */
+	static final double STILL_CHANGES = 0.3;
+
+	/** [share] ... which must be so in so many of the frames. Why: others lie along it for a while. */
+	static final double STILL_THERE = 0.9;
+
+	/**
+	 * [strands] What lies over a line adds at least so much light somewhere. Why: half a strand: it
+	 * hardly lies on the very middle.
+	 */
+	static final double STILL_PASSED = 0.5;
+
+	/** [noise sigma] ... and so much. Why: in the mean of nine pixels, that is six sigma. */
+	static final double STILL_NOISES = 2;
 }
