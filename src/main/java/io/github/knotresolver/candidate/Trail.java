@@ -4,6 +4,7 @@ package io.github.knotresolver.candidate;
 import java.util.LinkedList;
 import java.util.List;
 
+import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.graph.Node;
 import io.github.knotresolver.graph.Step;
 
@@ -12,32 +13,61 @@ final class Trail {
 
 	private final Trail before;
 	private final Step step;
-	private final Course course;
+	/** Direction of the last segment that has one, at its end. */
+	private final Point heading;
+	/** Whether a junction was passed since. */
+	private final boolean pending;
+	private final double turning;
 	private final double length;
 	private final double covered;
 	private final byte[] uses;
 	private final double start;
 
-	private Trail(final Trail before, final Step step, final Course course, final double start,
-		final byte[] uses) {
-		this.before = before;
-		this.step = step;
-		this.course = course;
+	/** A walk of one step. */
+	private Trail(final Step first, final double start, final byte[] uses) {
+		before = null;
+		step = first;
+		heading = first.arrival();
+		pending = false;
+		turning = 0;
 		this.start = start;
 		this.uses = uses;
-		length = (before == null ? 0 : before.length) + step.length();
-		covered = (before == null ? 0 : before.covered)
-			+ (uses[step.segment().id()] == 0 ? step.length() : 0);
+		length = first.length();
+		covered = first.length();
+		uses[first.segment().id()]++;
+	}
+
+	/**
+	 * A walk with one step more. Segments too short to have a direction of their own (the bridge
+	 * between the two halves of a crossing) are looked across: the turn is taken between what comes
+	 * before and after.
+	 */
+	private Trail(final Trail before, final Step step) {
+		this.before = before;
+		this.step = step;
+		start = before.start;
+		uses = before.uses.clone();
+		final boolean passed = before.pending || step.from().isJunction();
+		final boolean bridge = step.length() < CandidateTuning.NO_DIRECTION;
+		heading = bridge ? before.heading : step.arrival();
+		pending = bridge && passed;
+		turning = before.turning + (bridge || !passed ? 0 : turn(before.heading, step.departure()));
+		length = before.length + step.length();
+		covered = before.covered + (uses[step.segment().id()] == 0 ? step.length() : 0);
 		uses[step.segment().id()]++;
+	}
+
+	private static double turn(final Point from, final Point to) {
+		return Math.max(0, 1 - (from.x() * to.x() + from.y() * to.y()));
 	}
 
 	/** A walk of one step, of a graph of so many segments. */
 	static Trail along(final Step step, final int segments, final double start) {
-		return new Trail(null, step, Course.along(step), start, new byte[segments]);
+		return new Trail(step, start, new byte[segments]);
 	}
 
 	Trail then(final Step next) {
-		return new Trail(this, next, course.then(next), start, uses.clone());
+		return new Trail(this, next);
 	}
 
 	/**
@@ -69,8 +99,9 @@ final class Trail {
 		return first ? covered - step.length() + end : covered;
 	}
 
+	/** Sum of 1 - cos of the turns at junctions. */
 	double turning() {
-		return course.turning();
+		return turning;
 	}
 
 	double start() {

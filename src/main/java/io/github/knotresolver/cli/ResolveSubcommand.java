@@ -12,7 +12,7 @@ import io.github.knotresolver.io.ResultFolder;
 import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.run.Outcome;
+import io.github.knotresolver.run.FinishedRun;
 import io.github.knotresolver.run.ResolveRun;
 import io.github.knotresolver.session.Engine;
 import picocli.CommandLine.Command;
@@ -60,7 +60,7 @@ final class ResolveSubcommand implements Callable<Integer> {
 	private void resolve() throws IOException {
 		final ResolveRun run = Usage.of(spec, () -> ResolveRun.of(GivenOptions.of(spec)));
 		final ImageSource source = Usage.of(spec, this::source);
-		final Outcome outcome;
+		final FinishedRun outcome;
 		try (ResultFolder folder = Usage.of(spec,
 			() -> ResultFolder.reserve(out, ResultKind.RESOLVED_MOVIE, force, run.files(source)))) {
 			final ResolveRun.Work work = Usage.of(spec, () -> run.read(source, progress));

@@ -35,7 +35,7 @@ import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.run.Outcome;
+import io.github.knotresolver.run.FinishedRun;
 import io.github.knotresolver.run.ResolveRun;
 import io.github.knotresolver.run.ResultSink;
 import io.github.knotresolver.run.RunReport;
@@ -137,7 +137,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 	@Parameter(label = "Ignored frames", description = "Frames to leave out, likewise", required = false, persist = false, attrs = @Attr(name = FormField.KEY, value = "ignored"))
 	private String ignore_frames = "";
 
-	@Parameter(label = "Corrections (CSV)", description = "Contours that you drew: frame,index,x_px,y_px", required = false, persist = false)
+	@Parameter(label = "Corrections (CSV)", description = "What you say of frames: contours, places passed, tips, refusals, exchanges", required = false, persist = false)
 	private File corrections;
 
 	@Parameter(label = "Pixel size", description = "Edge of a pixel in the unit beside; empty for the image's", required = false, persist = false)
@@ -237,7 +237,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 		if (engine == Engine.PIPELINE && !GraphicsEnvironment.isHeadless())
 			engine = session;
 		final ImageSource source = ImageSource.of(input);
-		final Outcome outcome = out == null
+		final FinishedRun outcome = out == null
 			? resolve(run, source, ResultSink.NONE, progress)
 			: intoFolder(run, source, progress);
 		final MeasuredTracks result = outcome.result();
@@ -258,14 +258,14 @@ public class ResolveFilamentCommand extends KnotCommand {
 		window.ifPresent(w -> w.done(result.tracks()));
 	}
 
-	private Outcome resolve(final ResolveRun run, final ImageSource source, final ResultSink sink,
-		final RunModel progress) throws IOException {
+	private FinishedRun resolve(final ResolveRun run, final ImageSource source,
+		final ResultSink sink, final RunModel progress) throws IOException {
 		final ResolveRun.Work work = run.read(source, progress);
 		progress.frames(work.frames());
 		return work.resolve(engine, sink, progress);
 	}
 
-	private Outcome intoFolder(final ResolveRun run, final ImageSource source,
+	private FinishedRun intoFolder(final ResolveRun run, final ImageSource source,
 		final RunModel progress) throws IOException {
 		try (ResultFolder folder = ResultFolder.reserve(out.toPath(), ResultKind.RESOLVED_MOVIE,
 			force, run.files(source))) {
@@ -292,7 +292,7 @@ public class ResolveFilamentCommand extends KnotCommand {
 		return texts;
 	}
 
-	private void report(final Outcome outcome, final long nanos) {
+	private void report(final FinishedRun outcome, final long nanos) {
 		final MeasuredTracks result = outcome.result();
 		say(ProgramVersion.NAME + " " + ProgramVersion.get() + ": "
 			+ ParametersJson.line(result.tracks(), outcome.input()));

@@ -18,7 +18,7 @@ import io.github.knotresolver.io.ResultKind;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
-import io.github.knotresolver.run.Outcome;
+import io.github.knotresolver.run.FinishedRun;
 import io.github.knotresolver.run.ResolveRun;
 
 /** A row of a batch has its turn. May be asked by several threads. */
@@ -82,7 +82,7 @@ final class BatchTurn {
 	BatchOutcome resolve(final BatchRow row, final String name, final int threads,
 		final Progress progress) {
 		try {
-			final Outcome outcome = outcome(row, out.resolve(name), threads, progress);
+			final FinishedRun outcome = outcome(row, out.resolve(name), threads, progress);
 			final List<String> words = new ArrayList<>(row.notes());
 			words.add(0, outcome.report().get(0));
 			words.addAll(outcome.leftOut());
@@ -111,7 +111,7 @@ final class BatchTurn {
 			told ? cause.getMessage() : Failure.of(cause, "give Java more").sentence());
 	}
 
-	private Outcome outcome(final BatchRow row, final Path target, final int threads,
+	private FinishedRun outcome(final BatchRow row, final Path target, final int threads,
 		final Progress progress) throws IOException {
 		final Map<String, String> texts = new TreeMap<>(batch.defaults());
 		texts.put(THREADS, Integer.toString(threads));

@@ -22,7 +22,7 @@ import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
-import io.github.knotresolver.run.Outcome;
+import io.github.knotresolver.run.FinishedRun;
 import io.github.knotresolver.run.ResultSink;
 
 /**
@@ -51,7 +51,8 @@ public final class FolderSink implements ResultSink {
 	}
 
 	@Override
-	public List<String> write(final Outcome outcome, final Progress progress) throws IOException {
+	public List<String> write(final FinishedRun outcome, final Progress progress)
+		throws IOException {
 		final MeasuredTracks result = outcome.result();
 		progress.report("Writing tables", 0);
 		writeTables(outcome);
@@ -84,7 +85,7 @@ public final class FolderSink implements ResultSink {
 		return folder.path().resolve(name);
 	}
 
-	private void writeTables(final Outcome outcome) throws IOException {
+	private void writeTables(final FinishedRun outcome) throws IOException {
 		final MeasuredTracks result = outcome.result();
 		ContoursCsv.write(file(ContoursCsv.FILE), result);
 		FramesCsv.write(file(FramesCsv.FILE), result);

@@ -49,7 +49,7 @@ public final class FilamentSegmenter {
 	 * @return a mask of the same size with all objects
 	 */
 	public Img<BitType> segment(final RandomAccessibleInterval<FloatType> frame) {
-		final Seed seed = thresholder.seed(frame);
+		final Thresholder.Seed seed = thresholder.seed(frame);
 		return segmentFrom(seed.frame(), seed.mask());
 	}
 

@@ -175,7 +175,7 @@ public final class ResolveOptions {
 
 		option("corrections", Kind.FILE).about(Section.FRAMES).takes("FILE")
 			.label("Corrections (CSV)")
-			.help("What you say of frames: contours, places passed, tips, refusals")
+			.help("What you say of frames: contours, places passed, tips, refusals, exchanges")
 			.byDefault("none")
 			.reads((d, t) -> d.corrections = Optional.of(OptionText.path("corrections", t))),
 

@@ -100,8 +100,8 @@ public final class ResolveRun {
 		 * @throws UserException if there is no result, in one sentence
 		 * @throws IOException if the result cannot be written
 		 */
-		public Outcome resolve(final Engine engine, final ResultSink sink, final Progress progress)
-			throws IOException {
+		public FinishedRun resolve(final Engine engine, final ResultSink sink,
+			final Progress progress) throws IOException {
 			final Optional<RunIdentity> identity = sink == ResultSink.NONE
 				? Optional.empty()
 				: RunIdentity.of(file, texts, progress);
@@ -109,9 +109,9 @@ public final class ResolveRun {
 			try (Workers workers = new Workers(settings.threads())) {
 				return workers.during(() -> {
 					final MeasuredTracks result = MeasuredTracks.of(tracks, progress);
-					final List<String> leftOut = sink
-						.write(new Outcome(result, options.input(), identity, List.of()), progress);
-					return new Outcome(result, options.input(), identity, leftOut);
+					final List<String> leftOut = sink.write(
+						new FinishedRun(result, options.input(), identity, List.of()), progress);
+					return new FinishedRun(result, options.input(), identity, leftOut);
 				});
 			}
 		}

@@ -22,5 +22,5 @@ public interface ResultSink {
 	 * @throws CancelledException if the user asked to stop
 	 * @throws IOException if a file cannot be written
 	 */
-	List<String> write(Outcome outcome, Progress progress) throws IOException;
+	List<String> write(FinishedRun outcome, Progress progress) throws IOException;
 }

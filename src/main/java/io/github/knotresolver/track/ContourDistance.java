@@ -21,7 +21,7 @@ import io.github.knotresolver.progress.Workers;
  * must not force its neighbours. All prices are computed once, at construction:
  * O(frames * contours² * length²).
  */
-public final class ContourDistance implements EdgePrice {
+public final class ContourDistance implements Trellis.EdgePrice {
 
 	private final double weight;
 	private final double typical;

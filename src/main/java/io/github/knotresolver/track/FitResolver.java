@@ -37,7 +37,7 @@ import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 
 /**
- * Our method: the graph proposes, the fit decides, the trellis settles. Line and
+ * Our method, with fits: the graph proposes, the fit decides, the trellis settles. Line and
  * length are learned from the clearest frames; hypotheses are carried through the
  * movie in both directions of time, joined in every frame by fits of the graph's
  * candidates; the cheapest path through all fits of all frames is the movie.

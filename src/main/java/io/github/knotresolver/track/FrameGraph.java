@@ -9,7 +9,7 @@ import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 
 /**
- * A frame as resolvers see it.
+ * A frame as resolvers on skeletons alone see it: the skeleton of the filament that they follow.
  *
  * @param frame 1-based number of the frame in the movie
  * @param graph its skeleton; empty if the filament was not found

@@ -2,7 +2,7 @@ package io.github.knotresolver.track;
 
 import io.github.knotresolver.progress.Progress;
 
-/** Chooses one contour for each frame. Implementations are stateless. */
+/** Chooses one contour for each frame, on skeletons alone. Implementations are stateless. */
 public interface Resolver {
 
 	/**

@@ -19,8 +19,8 @@ import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 
 /**
- * Our method: the candidates of all frames are the vertices of a {@link Trellis}, and
- * the cheapest path through it is the movie. The price of a vertex is the candidate's
+ * Our method on skeletons alone: the candidates of all frames are the vertices of a {@link Trellis},
+ * and the cheapest path through it is the movie. The price of a vertex is the candidate's
  * own, that of an edge {@link ContourDistance}. The whole movie decides together,
  * forwards and backwards in time: a knotted first frame resolves itself, and a bad frame
  * cannot lead the following ones astray. Corrections are constraints.

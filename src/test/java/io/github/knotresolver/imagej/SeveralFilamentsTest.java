@@ -47,8 +47,8 @@ import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.run.FinishedRun;
 import io.github.knotresolver.run.MeasureRun;
-import io.github.knotresolver.run.Outcome;
 import io.github.knotresolver.run.ResolveRun;
 import io.github.knotresolver.run.RunReport;
 
@@ -211,7 +211,7 @@ class SeveralFilamentsTest {
 			}, UnsignedByteType::new), new long[3],
 				new long[]{TestImages.WIDTH - 1, TestImages.HEIGHT - 1, FRAMES - 1});
 		final ImageSource source = ImageSource.of(image);
-		final Outcome outcome;
+		final FinishedRun outcome;
 		try (ResultFolder folder = ResultFolder.reserve(out, ResultKind.RESOLVED_MOVIE, false,
 			List.of())) {
 			outcome = ResolveRun.of(Map.of()).read(source, Progress.NONE).resolve(

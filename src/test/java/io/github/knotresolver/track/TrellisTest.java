@@ -28,21 +28,21 @@ class TrellisTest {
 		return prices;
 	}
 
-	private static EdgePrice randomEdges(final long seed) {
+	private static Trellis.EdgePrice randomEdges(final long seed) {
 		return (from, i, to,
 			j) -> new Random(seed + ((from * 31L + i) * 31 + to) * 31 + j).nextDouble() * 10;
 	}
 
-	private static double[] bruteForce(final List<double[]> prices, final EdgePrice edges,
+	private static double[] bruteForce(final List<double[]> prices, final Trellis.EdgePrice edges,
 		final int frame, final int vertex) {
 		final double[] best = {Double.POSITIVE_INFINITY};
 		walk(prices, edges, frame, vertex, 0, -1, -1, 0, best);
 		return best;
 	}
 
-	private static void walk(final List<double[]> prices, final EdgePrice edges, final int frame,
-		final int vertex, final int t, final int before, final int from, final double sofar,
-		final double[] best) {
+	private static void walk(final List<double[]> prices, final Trellis.EdgePrice edges,
+		final int frame, final int vertex, final int t, final int before, final int from,
+		final double sofar, final double[] best) {
 		if (t == prices.size()) {
 			best[0] = Math.min(best[0], sofar);
 			return;
@@ -60,7 +60,7 @@ class TrellisTest {
 	@ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12})
 	void everyMinMarginalIsThatOfBruteForce(final long seed) {
 		final List<double[]> prices = randomPrices(new Random(seed), 4);
-		final EdgePrice edges = randomEdges(seed);
+		final Trellis.EdgePrice edges = randomEdges(seed);
 		final TrellisPath path = Trellis.solve(prices, edges, Progress.NONE);
 		assertEquals(bruteForce(prices, edges, -1, -1)[0], path.total(), 1e-9, "seed " + seed);
 		for (int t = 0; t < prices.size(); t++) {
@@ -81,7 +81,7 @@ class TrellisTest {
 	void pathIsTheShortestPathOfTheSameGraph(final long seed) {
 		final List<double[]> prices = randomPrices(new Random(seed), 12);
 		prices.removeIf(p -> p.length == 0);
-		final EdgePrice edges = randomEdges(seed);
+		final Trellis.EdgePrice edges = randomEdges(seed);
 		final SimpleDirectedWeightedGraph<String, DefaultWeightedEdge> graph = new SimpleDirectedWeightedGraph<>(
 			DefaultWeightedEdge.class);
 		graph.addVertex("start");

@@ -16,10 +16,10 @@ import io.github.knotresolver.options.InputOptions;
  * @param identity what it was made from; empty if the movie has no file
  * @param leftOut what the sink left out and why, a sentence or two each
  */
-public record Outcome(MeasuredTracks result, InputOptions input, Optional<RunIdentity> identity,
+public record FinishedRun(MeasuredTracks result, InputOptions input, Optional<RunIdentity> identity,
 	List<String> leftOut) {
 
-	public Outcome {
+	public FinishedRun {
 		leftOut = List.copyOf(leftOut);
 	}
 
