@@ -162,8 +162,11 @@ final class SolvedMovie {
 			.in(filaments.stream().map(prepared.pixels()::out).toList(), told.constraints());
 		notes.addAll(Verdict.on(exchanged.subList(0, moving)));
 		return new Tracks(movie, told,
-			exchanged.stream().map(f -> new GivenContours(told.constraints(),
-				scene.isPresent() || f.id() > moving).over(f)).toList(),
+			exchanged.stream()
+				.map(
+					f -> new GivenContours(told.constraints(), scene.isPresent() || f.id() > moving)
+						.over(f))
+				.toList(),
 			notes);
 	}
 

@@ -50,9 +50,8 @@ record StillLine(Chain chain, LineTables line, double amplitude, double[] light)
 	private static NormalizedFrame drawn(final Chain chain, final LineTables line,
 		final NormalizedFrame frame) {
 		final double[] dark = new double[frame.width() * frame.height()];
-		final double[] drawn = new Scene(
-			new NormalizedFrame(frame.width(), frame.height(), dark), line, List.of(chain))
-			.residual().pixels();
+		final double[] drawn = new Scene(new NormalizedFrame(frame.width(), frame.height(), dark),
+			line, List.of(chain)).residual().pixels();
 		for (int i = 0; i < drawn.length; i++)
 			drawn[i] = -drawn[i];
 		return new NormalizedFrame(frame.width(), frame.height(), drawn);

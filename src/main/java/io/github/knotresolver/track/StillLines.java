@@ -90,9 +90,8 @@ public final class StillLines {
 		final SceneLine line = SceneLine.learn(List.of(still), Set.of(LineModel.Kind.ADDITIVE),
 			Workers.HERE, progress);
 		final double shortest = SceneTuning.SCENE_SPECK * line.tables().model().sigma();
-		return chains(line,
-			c -> c.length() >= shortest && isBetween(c, ends) && !endsIn(c, meant)).stream()
-			.filter(c -> isBetween(c, ends))
+		return chains(line, c -> c.length() >= shortest && isBetween(c, ends) && !endsIn(c, meant))
+			.stream().filter(c -> isBetween(c, ends))
 			.map(c -> StillLine.of(c, line.tables(), still.light(), frames))
 			.filter(l -> isStill(l, strand))
 			.sorted((a, b) -> Double.compare(b.chain().length(), a.chain().length())).toList();
@@ -136,8 +135,9 @@ public final class StillLines {
 
 	/** Where free ends are in the same place in nearly all frames, each place once. */
 	private List<Point> stillEnds() {
-		final List<List<Point>> ends = frames.stream().map(f -> f.graph().nodes().stream()
-			.filter(Node::isFreeEnd).map(Node::position).toList()).toList();
+		final List<List<Point>> ends = frames.stream().map(
+			f -> f.graph().nodes().stream().filter(Node::isFreeEnd).map(Node::position).toList())
+			.toList();
 		final List<Point> still = new ArrayList<>();
 		for (int k = 0; k < SceneTuning.STILL_END_LOOKS; k++)
 			for (final Point end : ends
@@ -157,8 +157,8 @@ public final class StillLines {
 	}
 
 	private static boolean endsIn(final Chain chain, final List<Point> places) {
-		return places.stream().anyMatch(
-			p -> Math.min(p.distanceTo(chain.start()), p.distanceTo(chain.polyline().last())) <= SceneTuning.PLACE_NEAR);
+		return places.stream().anyMatch(p -> Math.min(p.distanceTo(chain.start()),
+			p.distanceTo(chain.polyline().last())) <= SceneTuning.PLACE_NEAR);
 	}
 
 	/** What stays where it is, as a frame. */
@@ -169,11 +169,10 @@ public final class StillLines {
 		final NormalizedFrame first = frames.get(0).light();
 		final NormalizedFrame still = NormalizedFrame.of(first.width(), first.height(),
 			StillPicture.of(some));
-		final double bright = SceneTuning.STILL_BRIGHT * SceneTuning.MEAN_OF_RIDGE
-			* strand;
+		final double bright = SceneTuning.STILL_BRIGHT * SceneTuning.MEAN_OF_RIDGE * strand;
 		final boolean[] mask = new boolean[still.width() * still.height()];
-		IntStream.range(0, mask.length).forEach(i -> mask[i] = still.meanAround(i % still.width(),
-			i / still.width()) > bright);
+		IntStream.range(0, mask.length).forEach(
+			i -> mask[i] = still.meanAround(i % still.width(), i / still.width()) > bright);
 		final var masked = Pixels.mask(mask, still.width());
 		return new FrameView(1, still, masked, SkeletonGraph.of(Skeletonize.thin(masked)));
 	}

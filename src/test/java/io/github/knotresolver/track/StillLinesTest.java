@@ -60,8 +60,8 @@ class StillLinesTest {
 	private static double[] drawn(final Chain chain) {
 		final NormalizedFrame dark = new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]);
 		final double[] drawn = new Scene(dark,
-			LineTables.together(LineModel.uniform(Kind.ADDITIVE, 1.4, 1)), List.of(chain)).residual()
-			.pixels();
+			LineTables.together(LineModel.uniform(Kind.ADDITIVE, 1.4, 1)), List.of(chain))
+			.residual().pixels();
 		for (int i = 0; i < drawn.length; i++)
 			drawn[i] = -drawn[i];
 		return drawn;
@@ -125,23 +125,23 @@ class StillLinesTest {
 				alone = drawn(beating(t, 0.5));
 			for (int i = 0; i < left.length; i++)
 				assertEquals(STRAND * alone[i], left[i], STRAND * 0.35, "pixel " + i);
-			assertTrue(
-				SingleFilament.isOneObject(List.of(found.rest().get(t))), "frame " + (t + 1));
+			assertTrue(SingleFilament.isOneObject(List.of(found.rest().get(t))),
+				"frame " + (t + 1));
 		}
 		assertTrue(SingleFilament.isClampedAlone(found.rest()));
 	}
 
 	@Test
 	void aFilamentThatRunsIntoALineAndOutOfItIsLeftAsItWas() {
-		final IntFunction<Chain> along = t -> Chain.inScene(Polyline.of(
-			new double[]{20, 45, 60, 80 - t}, new double[]{70, 49, 42, 43}), 66 - t);
+		final IntFunction<Chain> along = t -> Chain.inScene(
+			Polyline.of(new double[]{20, 45, 60, 80 - t}, new double[]{70, 49, 42, 43}), 66 - t);
 		final StillLines.Found found = found(
 			movie(Kind.ADDITIVE, t -> List.of(rod(10, 30, 0.25, 100), along.apply(t)), 1, 1));
 		assertEquals(1, found.lines().size());
 		for (int t = 0; t < FRAMES; t++)
-			assertTrue(SceneSeed.oneWay(
-				found.lines().get(0).frames().get(t).contour().orElseThrow(),
-				rod(10, 30, 0.25, 100).polyline()) < 0.5);
+			assertTrue(
+				SceneSeed.oneWay(found.lines().get(0).frames().get(t).contour().orElseThrow(),
+					rod(10, 30, 0.25, 100).polyline()) < 0.5);
 	}
 
 	@Test
@@ -154,10 +154,9 @@ class StillLinesTest {
 		assertNone(movie(Kind.ADDITIVE, t -> List.of(beating(t, 0.5)), 1));
 		// Two that are held at one end, and cross near there.
 		assertNone(movie(Kind.ADDITIVE,
-			t -> List.of(beating(t, 0.3), Chain.inScene(
-				Polyline.of(new double[]{20, 60, 80 + 10 * Math.sin(t)},
-					new double[]{60, 90, 100 - 10 * Math.cos(t)}),
-				76)),
+			t -> List.of(beating(t, 0.3),
+				Chain.inScene(Polyline.of(new double[]{20, 60, 80 + 10 * Math.sin(t)},
+					new double[]{60, 90, 100 - 10 * Math.cos(t)}), 76)),
 			1, 1));
 	}
 
@@ -174,8 +173,8 @@ class StillLinesTest {
 			t -> t < FRAMES - 1 ? List.of(beating(t, 0.5), LINE) : List.of(beating(t, 0.5)), 1, 1));
 		assertEquals(1, found.lines().size());
 		for (int t = 0; t < FRAMES; t++)
-			assertEquals(t < FRAMES - 1,
-				found.lines().get(0).frames().get(t).contour().isPresent(), "frame " + (t + 1));
+			assertEquals(t < FRAMES - 1, found.lines().get(0).frames().get(t).contour().isPresent(),
+				"frame " + (t + 1));
 		assertTrue(SingleFilament.isClampedAlone(found.rest()));
 	}
 }
