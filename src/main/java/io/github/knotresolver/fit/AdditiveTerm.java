@@ -12,6 +12,9 @@ import java.util.Arrays;
  */
 final class AdditiveTerm implements ImageTerm {
 
+	/** Those of about 30 links. */
+	private static final int FEWEST_ENTRIES = 1 << 12;
+
 	private final DrawnPart part;
 	private final boolean cutOff;
 	private final double[] others;
@@ -33,10 +36,10 @@ final class AdditiveTerm implements ImageTerm {
 	private int[] head, band;
 	private int bandSize;
 
-	// One entry for each pair of a pixel and a link in reach.
-	private int[] next = new int[1 << 14];
-	private int[] link = new int[1 << 14];
-	private double[] slope = new double[1 << 16];
+	// One entry for each pair of a pixel and a link in reach; none as long as only prices are asked.
+	private int[] next = new int[0];
+	private int[] link = new int[0];
+	private double[] slope = new double[0];
 	private int entries;
 
 	private int[] nodes = new int[64];
@@ -213,8 +216,9 @@ final class AdditiveTerm implements ImageTerm {
 	}
 
 	private void grow() {
-		next = Arrays.copyOf(next, 2 * next.length);
-		link = Arrays.copyOf(link, 2 * link.length);
-		slope = Arrays.copyOf(slope, 2 * slope.length);
+		final int size = Math.max(FEWEST_ENTRIES, 2 * next.length);
+		next = Arrays.copyOf(next, size);
+		link = Arrays.copyOf(link, size);
+		slope = Arrays.copyOf(slope, 4 * size);
 	}
 }

@@ -5,13 +5,34 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 
+import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.progress.Workers;
+
 /**
  * A pass and what it costs.
  *
  * @param pass all filaments in all frames
  * @param left the light that it does not explain in each frame, in strands squared
+ * @param clear for each filament and frame whether the light around it is explained
  */
-record PricedPass(ScenePass pass, double[] left) {
+record PricedPass(ScenePass pass, double[] left, boolean[][] clear) {
+
+	/** Looks at what a pass leaves in all frames; O(pixels frames). */
+	static PricedPass of(final ScenePass pass, final SceneLine line, final Workers workers) {
+		final int n = pass.chains().size();
+		final double[] left = new double[n];
+		final boolean[][] clear = new boolean[pass.filaments()][n];
+		workers.map(n, t -> {
+			final Scene scene = new Scene(line.frames().get(t).light(), line.tables(),
+				pass.chains().get(t));
+			final Unexplained unexplained = new Unexplained(scene, line.noise());
+			left[t] = unexplained.within(scene.near(line.near(t)));
+			for (int k = 0; k < clear.length; k++)
+				clear[k][t] = unexplained.isClear(pass.chains().get(t).get(k));
+			return t;
+		});
+		return new PricedPass(pass, left, clear);
+	}
 
 	/** What it leaves in a frame, and a price for every filament. */
 	double price() {

@@ -43,8 +43,9 @@ final class SceneLengths {
 	 * The filaments where a pass began, as long as they are; empty if the pass had all lengths
 	 * right.
 	 */
-	Optional<List<Chain>> corrected(final ScenePass pass, final Workers workers) {
-		final List<Length> lengths = of(pass, pass.clear(line, workers), workers);
+	Optional<List<Chain>> corrected(final PricedPass priced, final Workers workers) {
+		final ScenePass pass = priced.pass();
+		final List<Length> lengths = of(pass, priced.clear(), workers);
 		final List<Chain> before = pass.chains().get(pass.start()), chains = new ArrayList<>();
 		boolean isRight = true;
 		for (int k = 0; k < before.size(); k++) {

@@ -92,7 +92,7 @@ record ScenePass(int start, List<List<Chain>> chains) {
 				chains.get(t));
 			final Unexplained left = new Unexplained(scene, line.noise());
 			for (int k = 0; k < clear.length; k++)
-				clear[k][t] = left.worst(chains.get(t).get(k)) <= SceneTuning.UNCLEAR_LIGHT;
+				clear[k][t] = left.isClear(chains.get(t).get(k));
 			return t;
 		});
 		return clear;

@@ -7,7 +7,6 @@ import java.util.List;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.progress.Workers;
 
 /**
  * Filaments that many frames confirm, whichever pass they are from: what was followed over
@@ -28,12 +27,13 @@ final class ScenePool {
 	}
 
 	/**
-	 * Adds the filaments of a pass that are clear in many frames; O(pixels frames).
+	 * Adds the filaments of a pass that are clear in many frames.
 	 *
 	 * @return whether all its filaments are clear in nearly all frames
 	 */
-	boolean add(final ScenePass pass, final Workers workers) {
-		final boolean[][] clear = pass.clear(line, workers);
+	boolean add(final PricedPass priced) {
+		final ScenePass pass = priced.pass();
+		final boolean[][] clear = priced.clear();
 		int all = 0;
 		for (int k = 0; k < pass.filaments(); k++) {
 			int count = 0;

@@ -187,10 +187,11 @@ public final class SceneResolver {
 			if (!seed.get().chains().isEmpty()) {
 				final ScenePass pass = ScenePass.from(seed.get().frame(), seed.get().chains(), line,
 					weights, progress);
-				final PricedPass priced = new PricedPass(pass, pass.left(line));
+				final PricedPass priced = PricedPass.of(pass, line, workers);
 				passes.add(priced);
 				show(pass, line);
-				if (pool.add(pass, workers) && priced.isClear())
+				final boolean allClear = pool.add(priced);
+				if (priced.isClear() && (allClear || used.size() >= SceneTuning.CLEAR_ENOUGH))
 					break;
 			}
 			seed = looks.next(first, used, pool, workers, progress);
@@ -211,10 +212,10 @@ public final class SceneResolver {
 		final List<PricedPass> passes) {
 		if (passes.isEmpty())
 			return;
-		final ScenePass best = passes.get(0).pass();
+		final PricedPass best = passes.get(0);
 		new SceneLengths(line, weights).corrected(best, workers)
-			.map(chains -> ScenePass.from(best.start(), chains, line, weights, progress))
-			.ifPresent(again -> passes.add(new PricedPass(again, again.left(line))));
+			.map(chains -> ScenePass.from(best.pass().start(), chains, line, weights, progress))
+			.ifPresent(again -> passes.add(PricedPass.of(again, line, workers)));
 		PricedPass.sort(passes);
 	}
 

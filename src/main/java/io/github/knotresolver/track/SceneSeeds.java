@@ -101,19 +101,26 @@ final class SceneSeeds {
 			return another;
 		final Map<Integer, Double> covered = new LinkedHashMap<>();
 		for (final SceneSeed seed : first)
-			if (used.stream().noneMatch(u -> u.frame() == seed.frame()))
-				covered.put(seed.frame(), pool.coverage(seed.frame()));
+			if (used.stream().noneMatch(u -> u.frame() == seed.frame())) {
+				final double share = pool.coverage(seed.frame());
+				if (share < SceneTuning.SEED_ALL)
+					covered.put(seed.frame(), share);
+			}
+		final boolean anyApart = covered.keySet().stream().anyMatch(t -> isApart(t, used));
 		final List<Integer> frames = covered.entrySet().stream()
-			.filter(e -> e.getValue() < SceneTuning.SEED_ALL)
+			.filter(e -> !anyApart || isApart(e.getKey(), used))
 			.sorted(Map.Entry.<Integer, Double>comparingByValue().reversed())
 			.limit(SceneTuning.SEED_AGAIN).map(Map.Entry::getKey).toList();
 		return at(frames, pool, workers, progress).stream().findFirst();
 	}
 
 	private boolean isAnother(final SceneSeed seed, final List<SceneSeed> used) {
-		return used.stream()
-			.allMatch(u -> Math.abs(u.frame() - seed.frame()) > line.frames().size()
-				/ SceneTuning.SEED_SPACING)
+		return isApart(seed.frame(), used)
 			|| used.stream().allMatch(u -> u.chains().size() != seed.chains().size());
+	}
+
+	private boolean isApart(final int t, final List<SceneSeed> used) {
+		return used.stream().allMatch(
+			u -> Math.abs(u.frame() - t) > line.frames().size() / SceneTuning.SEED_SPACING);
 	}
 }

@@ -2,6 +2,7 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -103,31 +104,48 @@ final class SceneTracker {
 		return all;
 	}
 
-	/** The cheapest prediction of each, with the others drawn: twice, where others are near. */
+	/**
+	 * The cheapest prediction of each, with the others drawn: twice, where one that is near was
+	 * given another one meanwhile.
+	 */
 	private void choose(final Scene scene, final List<List<Chain>> predictions) {
+		final boolean[] open = new boolean[scene.size()];
+		Arrays.fill(open, true);
 		for (int round = 0; round < 2; round++)
 			for (int k = 0; k < scene.size(); k++)
-				if (round == 0 || hasNeighbour(scene, k)) {
-					scene.take(k);
-					final SceneWindow window = scene.window(predictions.get(k));
-					Chain best = null;
-					double lowest = Double.POSITIVE_INFINITY;
-					for (final Chain p : predictions.get(k)) {
-						final double energy = window.price(p, weights.tracked()).energy();
-						if (energy < lowest) {
-							lowest = energy;
-							best = p;
-						}
-					}
-					scene.put(k, best == null ? predictions.get(k).get(0) : best);
+				if (open[k]) {
+					open[k] = false;
+					final Chain before = scene.chain(k);
+					final Chain best = cheapest(scene, k, predictions.get(k));
+					if (best != before) {
+						open(scene, k, open);
+						scene.put(k, best);
+						open(scene, k, open);
+					} else
+						scene.put(k, best);
 				}
 	}
 
-	private static boolean hasNeighbour(final Scene scene, final int k) {
-		for (int other = 0; other < scene.size(); other++)
-			if (other != k && scene.mayTouch(k, other))
-				return true;
-		return false;
+	/** The cheapest of some predictions; the chain is not drawn any more. */
+	private Chain cheapest(final Scene scene, final int k, final List<Chain> predictions) {
+		scene.take(k);
+		final SceneWindow window = scene.window(predictions);
+		Chain best = predictions.get(0);
+		double lowest = Double.POSITIVE_INFINITY;
+		for (final Chain p : predictions) {
+			final double energy = window.price(p, weights.tracked()).energy();
+			if (energy < lowest) {
+				lowest = energy;
+				best = p;
+			}
+		}
+		return best;
+	}
+
+	/** What is near to a chain is open again. */
+	private static void open(final Scene scene, final int k, final boolean[] open) {
+		for (int other = 0; other < open.length; other++)
+			open[other] |= other != k && scene.mayTouch(k, other);
 	}
 
 	/** Two sweeps; from the third on only chains near to what has moved. */

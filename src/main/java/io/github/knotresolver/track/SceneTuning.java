@@ -553,6 +553,13 @@ final class SceneTuning {
 	 */
 	static final int MOST_PASSES = 5;
 
+	/**
+	 * [passes] ... and after so many, one that leaves hardly any light is enough, also if in a
+	 * crowd some filaments are often unclear. Why: the first ones tell what is known; the next
+	 * would have to be clearer still.
+	 */
+	static final int CLEAR_ENOUGH = 3;
+
 	/** [passes] ... and of those so many are settled together. Why: three outvote one. */
 	static final int SETTLED_PASSES = 3;
 

@@ -124,7 +124,8 @@ final class TailSwap {
 		int from = -1;
 		for (int i = 0; i <= p.size(); i++) {
 			final boolean near = i < p.size()
-				&& distance(p, i, q, nearest(p, i, q)) < SceneTuning.SWAP_TOUCH;
+				&& squared(p, i, q, nearest(p, i, q)) < SceneTuning.SWAP_TOUCH
+					* SceneTuning.SWAP_TOUCH;
 			if (near && from < 0)
 				from = i;
 			if (!near && from >= 0) {
@@ -139,13 +140,14 @@ final class TailSwap {
 	private static int nearest(final Polyline p, final int i, final Polyline q) {
 		int best = 0;
 		for (int k = 1; k < q.size(); k++)
-			if (distance(p, i, q, k) < distance(p, i, q, best))
+			if (squared(p, i, q, k) < squared(p, i, q, best))
 				best = k;
 		return best;
 	}
 
-	private static double distance(final Polyline p, final int i, final Polyline q, final int k) {
-		return Math.hypot(p.x(i) - q.x(k), p.y(i) - q.y(k));
+	private static double squared(final Polyline p, final int i, final Polyline q, final int k) {
+		final double dx = p.x(i) - q.x(k), dy = p.y(i) - q.y(k);
+		return dx * dx + dy * dy;
 	}
 
 	/** Exchanges what is behind a node of each. */

@@ -71,6 +71,11 @@ final class Unexplained {
 		return worst;
 	}
 
+	/** Whether the light around a chain is explained. */
+	boolean isClear(final Chain chain) {
+		return worst(chain) <= SceneTuning.UNCLEAR_LIGHT;
+	}
+
 	/**
 	 * The largest sum around any node of a chain, or of other chains where they run beside it: two
 	 * that have exchanged a part leave light around one of them only.

@@ -82,14 +82,16 @@ class SceneSeederTest {
 			// The second one is lost from the seventh frame on.
 			followed.add(List.of(truth.get(0), rod(20, 60 + (t < 6 ? 0 : 9), 0, 40)));
 		}
-		final ScenePool pool = new ScenePool(new SceneLine(LINE, frames, NOISE));
+		final SceneLine line = new SceneLine(LINE, frames, NOISE);
+		final ScenePool pool = new ScenePool(line);
+		final PricedPass pass = PricedPass.of(new ScenePass(0, followed), line, Workers.HERE);
 		assertTrue(pool.isEmpty());
-		assertEquals(false, pool.add(new ScenePass(0, followed), Workers.HERE));
+		assertEquals(false, pool.add(pass));
 		assertEquals(2, pool.known(0).size());
 		assertEquals(1, pool.known(8).size());
 		assertSame(followed.get(8).get(0), pool.known(8).get(0));
 		assertEquals(0.5, pool.coverage(8), 0.03);
-		pool.add(new ScenePass(0, followed), Workers.HERE);
+		pool.add(pass);
 		assertEquals(1, pool.known(8).size(), "what two passes have is known once");
 	}
 }
