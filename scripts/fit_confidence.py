@@ -17,7 +17,7 @@ RIDGE = 0.0005
 LEAST_CONSTANT = 5
 
 # Figures are cut off here, as FitEvidence does; a table may have been made before.
-MOST = [1, 2, 1, .5, .25, .5, 1, 1, 1, 3, 1]
+MOST = [1, 2, 1, .5, .25, .5, 1, 1, 1, 3, 1, 1, 1]
 
 
 def read(path):

@@ -21,20 +21,28 @@ import java.util.Locale;
  *          of its length
  * @param jump logarithm of how much farther than usual it moved from or to a neighbour in time
  * @param faint how strong the noise of a pixel is beside a strand, beyond what is harmless
+ * @param folded how far the contour turns back on itself within the width of a line
+ * @param elsewhere in how many of the movie's frames contours do not end where their light does
  */
 public record FitEvidence(double rival, double misfit, double pattern, double dark,
 	double unexplained, double invented, double beyond, double missing, double uncovered,
-	double jump, double faint) {
+	double jump, double faint, double folded, double elsewhere) {
 
 	/** Each figure is cut off here: more of it makes nothing worse. */
-	private static final double[] MOST = {1, 2, 1, 0.5, 0.25, 0.5, 1, 1, 1, 3, 1};
+	private static final double[] MOST = {1, 2, 1, 0.5, 0.25, 0.5, 1, 1, 1, 3, 1, 1, 1};
 
 	/** Names of the figures, in order. */
-	public static final String NAMES = "rival,misfit,pattern,dark,unexplained,invented,beyond,missing,uncovered,jump,faint";
+	public static final String NAMES = "rival,misfit,pattern,dark,unexplained,invented,beyond,missing,uncovered,jump,faint,folded,elsewhere";
 
 	/** A pixel's noise in strands' brightnesses as a figure. */
 	static double faint(final double noise) {
 		return Math.max(0, (noise - TrackTuning.HARMLESS_NOISE) / TrackTuning.DROWNING_NOISE);
+	}
+
+	/** The sharpest turn of a contour within a line's width, in radians, as a figure. */
+	static double folded(final double turn) {
+		return Math.max(0, (turn - TrackTuning.HARMLESS_TURN)
+			/ (TrackTuning.HOPELESS_TURN - TrackTuning.HARMLESS_TURN));
 	}
 
 	private static final String[] WORDS = {"a different contour explains the movie nearly as well",
@@ -46,12 +54,14 @@ public record FitEvidence(double rival, double misfit, double pattern, double da
 		"light goes on beyond an end of the contour", "the contour's tip is in the dark",
 		"the contour leaves out parts of the object that it touches",
 		"the contour moved much farther than usual since the frame before or to the next",
-		"noise is so strong that a wrong contour may look right"};
+		"noise is so strong that a wrong contour may look right",
+		"the contour turns back within the width of a line, as it does to explain a spot",
+		"in other frames the contour does not end where its light does, so its length or an end is not right"};
 
 	/** @return the figures in the order of their names, none negative, none above what matters */
 	public double[] figures() {
 		final double[] figures = {rival, misfit, pattern, dark, unexplained, invented, beyond,
-			missing, uncovered, jump, faint};
+			missing, uncovered, jump, faint, folded, elsewhere};
 		for (int i = 0; i < figures.length; i++)
 			figures[i] = Double.isNaN(figures[i])
 				? MOST[i]

@@ -1,5 +1,7 @@
 package io.github.knotresolver.track;
 
+import java.util.List;
+
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.EndLight;
 import io.github.knotresolver.fit.FitQuality;
@@ -28,5 +30,24 @@ record FitLook(FitQuality quality, Residue residue, double beyond, double missin
 		return new FitLook(FitQuality.of(light, model, chain), Residue.of(light, model, chain),
 			ends.beyond(chain), last.isSeen() ? Math.max(0, Math.min(1, 1 - last.brightness())) : 0,
 			Uncovered.share(frame.graph(), chain.contour()));
+	}
+
+	/** Whether no light goes on beyond an end, and none is missing at the tip. */
+	boolean endsWithLight() {
+		return Math.max(beyond, missing) < TrackTuning.ENDS_WITH_LIGHT;
+	}
+
+	/**
+	 * In how many frames contours do not end where their light does, as a figure: the length or
+	 * an end is not right then, in frames in which that is hidden, too.
+	 *
+	 * @param looks one for each frame that has one
+	 * @return 0 if nearly all do
+	 */
+	static double elsewhere(final List<FitLook> looks) {
+		final long off = looks.stream().filter(l -> !l.endsWithLight()).count();
+		final double share = (double) off / Math.max(1, looks.size());
+		return Math.max(0, (share - TrackTuning.SELDOM_ENDS)
+			/ (TrackTuning.OFTEN_ENDS - TrackTuning.SELDOM_ENDS));
 	}
 }

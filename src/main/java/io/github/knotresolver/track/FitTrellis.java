@@ -66,6 +66,8 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 				? Optional.empty()
 				: Optional.of(looks.apply(t, chosen(t, path))));
 		}
+		final double elsewhere = FitLook
+			.elsewhere(seen.stream().flatMap(Optional::stream).toList());
 		final FitConfidence confidence = FitConfidence
 			.learn(seen.stream().map(s -> s.map(FitLook::quality)).toList());
 		final List<Observation> tracked = new ArrayList<>();
@@ -73,7 +75,7 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 		for (int t = 0; t < pools.size(); t++) {
 			final int frame = t;
 			evidence.add(seen.get(t).filter(s -> isTrusted(s.quality()))
-				.map(s -> evidence(frame, path, s, confidence, motion)));
+				.map(s -> evidence(frame, path, s, new Rest(confidence, motion, elsewhere))));
 			tracked.add(tracked(t, path, seen.get(t).map(FitLook::quality), evidence.get(t),
 				Optional.ofNullable(said.get(t))));
 		}
@@ -144,13 +146,20 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 		return others;
 	}
 
+	/** What the whole movie says. */
+	private record Rest(FitConfidence confidence, MotionPrice motion, double elsewhere) {
+	}
+
 	private FitEvidence evidence(final int t, final TrellisPath path, final FitLook look,
-		final FitConfidence confidence, final MotionPrice motion) {
+		final Rest rest) {
 		return new FitEvidence(FitConfidence.rival(FitConfidence.gap(path, pools.get(t), t)),
-			confidence.misfit(look.quality()), Math.log(Math.max(1, look.residue().pattern())),
+			rest.confidence.misfit(look.quality()), Math.log(Math.max(1, look.residue().pattern())),
 			look.quality().dark(), look.residue().unexplained(), look.residue().invented(),
-			look.beyond(), look.missing(), look.uncovered(), jump(t, path, motion),
-			FitEvidence.faint(course.noise()));
+			look.beyond(), look.missing(), look.uncovered(), jump(t, path, rest.motion),
+			FitEvidence.faint(course.noise()),
+			FitEvidence.folded(SharpestTurn.of(chosen(t, path).chain().contour(),
+				course.estimate().model().sigma())),
+			rest.elsewhere);
 	}
 
 	/** How much farther than usual the chosen chain moved, from the frame before or to the next. */

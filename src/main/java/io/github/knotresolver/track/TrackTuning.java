@@ -524,6 +524,42 @@ final class TrackTuning {
 	static final double CONFIDENT = 9;
 
 	/**
+	 * [line widths] A turn is one within this length of a contour. Why: on it a line that turns
+	 * back covers itself.
+	 */
+	static final double TURN_WITHIN = 4;
+
+	/** [px] ... which is no shorter than this. Why: the links of a chain are 3 px long. */
+	static final double TURN_LEAST = 4;
+
+	/**
+	 * [rad] Sharper turns speak against a contour. Why: no right contour of bench/conditions.py
+	 * turns by more than 1.7, while one that winds up on a spot turns back.
+	 */
+	static final double HARMLESS_TURN = 2;
+
+	/** [rad] ... and one as sharp as this is as bad as it gets. Why: it nearly turns back. */
+	static final double HOPELESS_TURN = 2.6;
+
+	/**
+	 * [share] The light beyond an end, or missing at it, that says that the contour does not end
+	 * there. Why: it is the half of a strand's.
+	 */
+	static final double ENDS_WITH_LIGHT = 0.5;
+
+	/**
+	 * [share] Contours that do not end with their light in so few of the frames say nothing. Why:
+	 * noise, dim tips, beads and hot pixels do nearly as much (bench/conditions.py).
+	 */
+	static final double SELDOM_ENDS = 0.2;
+
+	/**
+	 * [share] ... and in so many are as bad as it gets. Why: the ends of a filament that winds up
+	 * are hidden in most.
+	 */
+	static final double OFTEN_ENDS = 0.3;
+
+	/**
 	 * [strands] Noise up to this speaks against no contour. Why: fits hold at a signal-to-noise
 	 * ratio of two.
 	 */

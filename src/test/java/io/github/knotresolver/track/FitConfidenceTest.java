@@ -20,9 +20,11 @@ import io.github.knotresolver.fit.FitQuality;
 class FitConfidenceTest {
 
 	private static final int FIGURES = FitEvidence.NAMES.split(",").length;
+	private static final int FAINT = List.of(FitEvidence.NAMES.split(",")).indexOf("faint");
 
 	private static FitEvidence evidence(final double... f) {
-		return new FitEvidence(f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8], f[9], f[10]);
+		return new FitEvidence(f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8], f[9], f[10],
+			f[11], f[12]);
 	}
 
 	private static double confidence(final double... figures) {
@@ -39,10 +41,10 @@ class FitConfidenceTest {
 	@Test
 	void inStrongNoiseDoubtCountsForMore() {
 		final double[] figures = new double[FIGURES];
-		figures[FIGURES - 1] = FitEvidence.faint(0.35);
+		figures[FAINT] = FitEvidence.faint(0.35);
 		figures[0] = 1;
 		final double clear = confidence(figures);
-		figures[FIGURES - 1] = FitEvidence.faint(0.7);
+		figures[FAINT] = FitEvidence.faint(0.7);
 		assertTrue(clear > 0.95 && confidence(figures) < 0.9, clear + ", " + confidence(figures));
 	}
 

@@ -1,0 +1,50 @@
+package io.github.knotresolver.track;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.stream.IntStream;
+
+import org.junit.jupiter.api.Test;
+
+import io.github.knotresolver.fit.FitQuality;
+import io.github.knotresolver.fit.Residue;
+import io.github.knotresolver.model.Observation;
+
+class FitLookTest {
+
+	private static FitLook look(final double beyond, final double missing) {
+		return new FitLook(new FitQuality(0, 0), new Residue(0, 0, 1), beyond, missing, 0);
+	}
+
+	/** Of twenty frames so many whose contour does not end with its light. */
+	private static double elsewhere(final int off, final FitLook wrong) {
+		return FitLook.elsewhere(IntStream.range(0, 20)
+			.mapToObj(t -> t < off ? wrong : look(0.2, 0.2)).toList());
+	}
+
+	@Test
+	void lightBeyondAnEndAndLightMissingAtItBothTell() {
+		for (final FitLook wrong : List.of(look(0.8, 0), look(0, 0.8))) {
+			assertEquals(0, elsewhere(0, wrong));
+			assertEquals(0, elsewhere(4, wrong), 1e-9);
+			assertEquals(0.5, elsewhere(5, wrong), 1e-9);
+			assertTrue(elsewhere(6, wrong) > 1 - 1e-9);
+		}
+	}
+
+	@Test
+	void aMovieWithoutALookSaysNothing() {
+		assertEquals(0, FitLook.elsewhere(Collections.emptyList()));
+	}
+
+	@Test
+	void anEndThatIsWrongInOtherFramesMakesEachDoubtful() {
+		final FitEvidence evidence = new FitEvidence(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+			elsewhere(6, look(1, 0)));
+		assertTrue(FitConfidence.of(evidence) < Observation.SURE);
+		assertTrue(FitConfidence.reason(evidence).contains("in other frames"));
+	}
+}
