@@ -51,13 +51,21 @@ record FitConfidence(double usualMisfit) {
 		return usualMisfit > 0 ? Math.log(Math.max(1, quality.misfit() / usualMisfit)) : 0;
 	}
 
-	/** @return 0..1 */
+	/**
+	 * What is no more than a doubt takes no contour below one half: a good contour may fold, and a
+	 * frame's contour may be right where others are not.
+	 *
+	 * @return 0..1
+	 */
 	static double of(final FitEvidence evidence) {
 		double logit = TrackTuning.CONFIDENT;
 		final double[] figures = evidence.figures();
-		for (int i = 0; i < figures.length; i++)
+		for (int i = 0; i < FitEvidence.DOUBTS; i++)
 			logit -= WEIGHTS[i] * figures[i];
-		return 1 / (1 + Math.exp(-logit));
+		double doubted = logit;
+		for (int i = FitEvidence.DOUBTS; i < figures.length; i++)
+			doubted -= WEIGHTS[i] * figures[i];
+		return 1 / (1 + Math.exp(-Math.max(doubted, Math.min(logit, 0))));
 	}
 
 	/** What lowers a confidence, in words; empty if it is high. */

@@ -34,6 +34,9 @@ public record FitEvidence(double rival, double misfit, double pattern, double da
 	/** Names of the figures, in order. */
 	public static final String NAMES = "rival,misfit,pattern,dark,unexplained,invented,beyond,missing,uncovered,jump,faint,folded,elsewhere";
 
+	/** The figures from this one on are no more than doubts. */
+	static final int DOUBTS = 11;
+
 	/** A pixel's noise in strands' brightnesses as a figure. */
 	static double faint(final double noise) {
 		return Math.max(0, (noise - TrackTuning.HARMLESS_NOISE) / TrackTuning.DROWNING_NOISE);

@@ -49,6 +49,22 @@ class FitConfidenceTest {
 	}
 
 	@Test
+	void aDoubtTakesTheConfidenceButRefusesNothing() {
+		for (int k = FitEvidence.DOUBTS; k < FIGURES; k++) {
+			final double[] figures = new double[FIGURES];
+			figures[k] = 1;
+			final double doubted = confidence(figures);
+			assertTrue(doubted > 0.5 && doubted < 0.9, doubted + "");
+			figures[0] = 1;
+			figures[2] = 1;
+			final double doubtedOnce = confidence(figures);
+			figures[k] = 0;
+			assertTrue(confidence(figures) < 0.5);
+			assertEquals(confidence(figures), doubtedOnce, 1e-12);
+		}
+	}
+
+	@Test
 	void whatEverythingSpeaksAgainstIsNotResolved() {
 		final double[] all = new double[FIGURES];
 		Arrays.fill(all, Double.POSITIVE_INFINITY);
