@@ -359,7 +359,7 @@ public final class Chain {
 	 * @return whether some node of one lies nearer than that, and half a link of each, to one of
 	 *         the other
 	 */
-	boolean comesNear(final Chain other, final double distance) {
+	public boolean comesNear(final Chain other, final double distance) {
 		final double[] ax = new double[theta.length + 1], ay = new double[theta.length + 1];
 		final double[] bx = new double[other.theta.length + 1], by = new double[bx.length];
 		nodes(ax, ay);

@@ -6,6 +6,8 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Scene;
@@ -118,6 +120,24 @@ record ScenePass(int start, List<List<Chain>> chains) {
 			if (other != k && scene.mayTouch(k, other))
 				return false;
 		return true;
+	}
+
+	/** A filament and those that touch it, or one that does, in nearly all frames; rising. */
+	List<Integer> touching(final int k) {
+		final SortedSet<Integer> group = new TreeSet<>(List.of(k));
+		boolean grown = true;
+		while (grown) {
+			grown = false;
+			for (int j = 0; j < filaments(); j++)
+				for (final int i : List.copyOf(group))
+					grown |= !group.contains(j) && touch(i, j) && group.add(j);
+		}
+		return List.copyOf(group);
+	}
+
+	private boolean touch(final int i, final int j) {
+		return chains.stream().filter(c -> c.get(i).comesNear(c.get(j), SceneTuning.TOUCH))
+			.count() >= SceneTuning.PIECES_MOST * chains.size();
 	}
 
 	/** The filament one of whose ends is usually nearest to a place; -1 if none is near. */

@@ -2,6 +2,7 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -34,7 +35,7 @@ final class SceneRefinement {
 	}
 
 	List<Settled> refine(final List<Settled> found) {
-		List<Settled> filaments = found;
+		List<Settled> filaments = wholes(found);
 		boolean[] unclear = unclear(filaments);
 		for (int round = 0; round < SceneTuning.REFINE_ROUNDS; round++)
 			for (int k = 0; k < filaments.size(); k++) {
@@ -50,6 +51,36 @@ final class SceneRefinement {
 			if (u)
 				return besideWhatLiesStill(filaments);
 		return filaments;
+	}
+
+	/** Filaments that always touch may be one clamped filament that lies on itself. */
+	private List<Settled> wholes(final List<Settled> found) {
+		List<Settled> filaments = found;
+		for (int k = 0; k < filaments.size(); k++) {
+			progress.checkCancelled();
+			final List<Integer> touching = ScenePass.of(filaments).touching(k);
+			final List<Settled> group = touching.stream().map(filaments::get).toList();
+			final List<Settled> others = new ArrayList<>(filaments);
+			others.removeAll(group);
+			if (touching.get(0) < k || group.size() < 2 || group.size() > SceneTuning.MOST_PIECES || others.isEmpty()
+				|| group.stream().noneMatch(
+					f -> FilamentEnds.of(f.chains(), AnchorChoice.AUTO).clamped()))
+				continue;
+			final Optional<Settled> whole = again.followBeside(ScenePass.of(others))
+				.filter(SceneRefinement::isCredible);
+			if (whole.isPresent()) {
+				others.add(whole.get());
+				filaments = cheaper(filaments, others, others.size() - 1, whole.get());
+			}
+		}
+		return filaments;
+	}
+
+	/** What was put together from several explains their light, but is doubtful as a whole. */
+	private static boolean isCredible(final Settled filament) {
+		return Arrays.stream(filament.gap())
+			.filter(g -> g >= SceneConfidence.gapOf(SceneTuning.LENGTH_DOUBT))
+			.count() >= SceneTuning.CREDIBLE * filament.gap().length;
 	}
 
 	/** For each filament whether the light around it is not explained in some frames. */
