@@ -47,7 +47,7 @@ record FitLook(FitQuality quality, Residue residue, double beyond, double missin
 	static double elsewhere(final List<FitLook> looks) {
 		final long off = looks.stream().filter(l -> !l.endsWithLight()).count();
 		final double share = (double) off / Math.max(1, looks.size());
-		return Math.max(0, (share - TrackTuning.SELDOM_ENDS)
-			/ (TrackTuning.OFTEN_ENDS - TrackTuning.SELDOM_ENDS));
+		return Math.max(0,
+			(share - TrackTuning.SELDOM_ENDS) / (TrackTuning.OFTEN_ENDS - TrackTuning.SELDOM_ENDS));
 	}
 }

@@ -156,9 +156,8 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 			rest.confidence.misfit(look.quality()), Math.log(Math.max(1, look.residue().pattern())),
 			look.quality().dark(), look.residue().unexplained(), look.residue().invented(),
 			look.beyond(), look.missing(), look.uncovered(), jump(t, path, rest.motion),
-			FitEvidence.faint(course.noise()),
-			FitEvidence.folded(SharpestTurn.of(chosen(t, path).chain().contour(),
-				course.estimate().model().sigma())),
+			FitEvidence.faint(course.noise()), FitEvidence.folded(SharpestTurn
+				.of(chosen(t, path).chain().contour(), course.estimate().model().sigma())),
 			rest.elsewhere);
 	}
 

@@ -62,9 +62,9 @@ final class SceneRefinement {
 			final List<Settled> group = touching.stream().map(filaments::get).toList();
 			final List<Settled> others = new ArrayList<>(filaments);
 			others.removeAll(group);
-			if (touching.get(0) < k || group.size() < 2 || group.size() > SceneTuning.MOST_PIECES || others.isEmpty()
-				|| group.stream().noneMatch(
-					f -> FilamentEnds.of(f.chains(), AnchorChoice.AUTO).clamped()))
+			if (touching.get(0) < k || group.size() < 2 || group.size() > SceneTuning.MOST_PIECES
+				|| others.isEmpty() || group.stream()
+					.noneMatch(f -> FilamentEnds.of(f.chains(), AnchorChoice.AUTO).clamped()))
 				continue;
 			final Optional<Settled> whole = again.followBeside(ScenePass.of(others))
 				.filter(SceneRefinement::isCredible);

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleBinaryOperator;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 
 import io.github.knotresolver.fit.Chain;
@@ -21,10 +22,12 @@ import io.github.knotresolver.model.Observation;
  *
  * @param chain its shape
  * @param line what it looks like
+ * @param picture what it looks like in a frame, in strands
  * @param amplitude its brightness in the frames' units
  * @param light along it in the still picture, in the same units, so that it is as bright as that
  */
-record StillLine(Chain chain, LineTables line, double amplitude, double[] light) {
+record StillLine(Chain chain, LineTables line, NormalizedFrame picture, double amplitude,
+	double[] light) {
 
 	/**
 	 * A line in the still picture of a movie; its brightness is that in most frames.
@@ -37,13 +40,14 @@ record StillLine(Chain chain, LineTables line, double amplitude, double[] light)
 	static StillLine of(final Chain chain, final LineTables line, final NormalizedFrame still,
 		final List<FrameView> frames) {
 		final double[] light = along(still, chain);
-		final double[] drawn = along(drawn(chain, line, still), chain);
+		final NormalizedFrame picture = drawn(chain, line, still);
+		final double[] drawn = along(picture, chain);
 		final double[] ratios = frames.stream()
 			.mapToDouble(f -> usual(each(along(f.light(), chain), drawn, (a, b) -> a / b)))
 			.toArray();
 		final double amplitude = RobustStatistics.upperMedian(ratios, 0);
 		final double dimmed = usual(each(light, drawn, (a, b) -> a / b));
-		return new StillLine(chain, line, amplitude,
+		return new StillLine(chain, line, picture, amplitude,
 			Arrays.stream(light).map(l -> l * amplitude / dimmed).toArray());
 	}
 
@@ -104,13 +108,18 @@ record StillLine(Chain chain, LineTables line, double amplitude, double[] light)
 		if (!isIn(frame))
 			return frame;
 		final FrameView rest = SceneRemainder.of(frame.scaled(amplitude), line, List.of(chain));
-		final double[] left = rest.light().pixels();
-		final float[] compact = new float[left.length];
-		for (int i = 0; i < left.length; i++)
-			compact[i] = (float) (amplitude * left[i]);
-		return new FrameView(frame.frame(),
-			NormalizedFrame.of(rest.light().width(), rest.light().height(), compact), rest.mask(),
+		return new FrameView(frame.frame(), NormalizedFrame.of(frame.light().width(),
+			frame.light().height(), (Supplier<float[]>) () -> left(frame.light())), rest.mask(),
 			rest.graph());
+	}
+
+	/** Made whenever it is asked for, so that it takes no more memory than the frames do. */
+	private float[] left(final NormalizedFrame light) {
+		final double[] all = light.pixels(), own = picture.pixels();
+		final float[] left = new float[all.length];
+		for (int i = 0; i < left.length; i++)
+			left[i] = (float) (all[i] - amplitude * own[i]);
+		return left;
 	}
 
 	/**

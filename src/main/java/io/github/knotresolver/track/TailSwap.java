@@ -123,9 +123,8 @@ final class TailSwap {
 		final List<Pair> all = new ArrayList<>();
 		int from = -1;
 		for (int i = 0; i <= p.size(); i++) {
-			final boolean near = i < p.size()
-				&& squared(p, i, q, nearest(p, i, q)) < SceneTuning.SWAP_TOUCH
-					* SceneTuning.SWAP_TOUCH;
+			final boolean near = i < p.size() && squared(p, i, q,
+				nearest(p, i, q)) < SceneTuning.SWAP_TOUCH * SceneTuning.SWAP_TOUCH;
 			if (near && from < 0)
 				from = i;
 			if (!near && from >= 0) {

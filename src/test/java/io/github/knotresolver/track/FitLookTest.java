@@ -21,8 +21,8 @@ class FitLookTest {
 
 	/** Of twenty frames so many whose contour does not end with its light. */
 	private static double elsewhere(final int off, final FitLook wrong) {
-		return FitLook.elsewhere(IntStream.range(0, 20)
-			.mapToObj(t -> t < off ? wrong : look(0.2, 0.2)).toList());
+		return FitLook.elsewhere(
+			IntStream.range(0, 20).mapToObj(t -> t < off ? wrong : look(0.2, 0.2)).toList());
 	}
 
 	@Test

@@ -24,8 +24,8 @@ class PricedPassTest {
 		final double[] all = new double[FRAMES];
 		Arrays.fill(all, explained, FRAMES, left);
 		return new PricedPass(
-			new ScenePass(0, Collections.nCopies(FRAMES, Collections.nCopies(filaments, chain))), all,
-			new boolean[filaments][FRAMES]);
+			new ScenePass(0, Collections.nCopies(FRAMES, Collections.nCopies(filaments, chain))),
+			all, new boolean[filaments][FRAMES]);
 	}
 
 	private static PricedPass best(final PricedPass... passes) {

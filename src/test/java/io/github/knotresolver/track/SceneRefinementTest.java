@@ -67,7 +67,8 @@ class SceneRefinementTest {
 		x[0] = 25;
 		y[0] = 55;
 		for (int i = 1; i < x.length; i++) {
-			final double angle = 0.3 * Math.sin(0.6 * t) - 0.5 + i * (0.06 + 0.008 * Math.sin(0.4 * t));
+			final double angle = 0.3 * Math.sin(0.6 * t) - 0.5
+				+ i * (0.06 + 0.008 * Math.sin(0.4 * t));
 			x[i] = x[i - 1] + Math.cos(angle);
 			y[i] = y[i - 1] + Math.sin(angle);
 		}
@@ -81,7 +82,8 @@ class SceneRefinementTest {
 	}
 
 	private static Chain rod(final double x, final double y, final double length) {
-		return Chain.inScene(Polyline.of(List.of(new Point(x, y), new Point(x + length, y))), length);
+		return Chain.inScene(Polyline.of(List.of(new Point(x, y), new Point(x + length, y))),
+			length);
 	}
 
 	private static Settled followed(final IntFunction<Chain> chain) {
@@ -99,11 +101,12 @@ class SceneRefinementTest {
 			.refine(List.of(followed(t -> part(looped(t), 0, 40)), followed(glider),
 				followed(t -> part(looped(t), 41, 99))));
 		assertEquals(2, found.size());
-		final Settled whole = found.stream().filter(f -> f.chains().get(0).length() > 60).findFirst()
-			.orElseThrow();
+		final Settled whole = found.stream().filter(f -> f.chains().get(0).length() > 60)
+			.findFirst().orElseThrow();
 		for (int t = 0; t < FRAMES; t++)
-			assertTrue(SceneSeed.oneWay(looped(t), whole.chains().get(t).polyline()) < 1
-				&& whole.chains().get(t).start().distanceTo(looped(t).first()) < 2,
+			assertTrue(
+				SceneSeed.oneWay(looped(t), whole.chains().get(t).polyline()) < 1
+					&& whole.chains().get(t).start().distanceTo(looped(t).first()) < 2,
 				"frame " + (t + 1));
 	}
 
