@@ -6,8 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
+import java.util.stream.IntStream;
 
 import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
@@ -23,6 +26,7 @@ import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.skeleton.Skeletonize;
 
@@ -93,5 +97,27 @@ class SceneSeederTest {
 		assertEquals(0.5, pool.coverage(8), 0.03);
 		pool.add(pass);
 		assertEquals(1, pool.known(8).size(), "what two passes have is known once");
+	}
+
+	@Test
+	void withSomeKnownTheNextStartIsWellApartInTimeFromTheFirst() {
+		final List<Chain> truth = List.of(rod(20, 30, 0, 40), rod(60, 60, 0, 40),
+			rod(30, 90, 0, 40));
+		final List<FrameView> frames = Collections.nCopies(20, frame(truth));
+		final SceneLine line = new SceneLine(LINE, frames, NOISE);
+		final ScenePool pool = new ScenePool(line);
+		pool.add(PricedPass.of(new ScenePass(3, Collections.nCopies(20, List.of(truth.get(0)))),
+			line, Workers.HERE));
+		final SceneSeeds seeds = new SceneSeeds(line, SceneWeights.DEFAULT);
+		final List<SceneSeed> looks = IntStream.of(3, 1, 5, 18)
+			.mapToObj(t -> new SceneSeed(t, truth.subList(0, 1), new boolean[]{true}, 0.3))
+			.toList();
+		final Optional<SceneSeed> next = seeds.next(looks, looks.subList(0, 1), pool, Workers.HERE,
+			Progress.NONE);
+		assertEquals(18, next.orElseThrow().frame());
+		assertEquals(3, next.orElseThrow().chains().size());
+		final Optional<SceneSeed> last = seeds.next(looks.subList(0, 3), looks.subList(0, 1), pool,
+			Workers.HERE, Progress.NONE);
+		assertEquals(1, last.orElseThrow().frame(), "if there is none, one that is near");
 	}
 }
