@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 
 import io.github.knotresolver.image.GaussianBlur;
 import io.github.knotresolver.image.PixelNoise;
+import io.github.knotresolver.image.Pixels;
 
 /**
  * A frame above its background, which is 0. The fit takes it {@link #rescaled} to a single
@@ -252,11 +253,7 @@ public final class NormalizedFrame {
 	}
 
 	private float[] blur(final double sigma) {
-		final double[] pixels = pixels();
-		final float[] in = new float[pixels.length];
-		for (int i = 0; i < in.length; i++)
-			in[i] = (float) pixels[i];
-		return GaussianBlur.blur(in, width, sigma);
+		return GaussianBlur.blur(Pixels.floats(pixels()), width, sigma);
 	}
 
 	/**

@@ -232,7 +232,8 @@ public final class Scene {
 		return new NormalizedFrame(light.width(), light.height(), left);
 	}
 
-	double[] picture() {
+	/** @return what is drawn now, in strands, row by row; not to be changed */
+	public double[] picture() {
 		return picture;
 	}
 }

@@ -54,6 +54,17 @@ public final class Pixels {
 	}
 
 	/**
+	 * @param values any number
+	 * @return the same in single precision
+	 */
+	public static float[] floats(final double[] values) {
+		final float[] floats = new float[values.length];
+		for (int i = 0; i < floats.length; i++)
+			floats[i] = (float) values[i];
+		return floats;
+	}
+
+	/**
 	 * @param image a two-dimensional image
 	 * @return its values; a pixel without a value (NaN) is background and gets
 	 *         the lowest value of the image, or 0 if no pixel has one

@@ -140,7 +140,7 @@ public final class RidgeStrength {
 			width = hessian.width();
 			height = hessian.height();
 			reach = (int) Math.ceil(ImageTuning.ALONG_REACH * along);
-			weights = SeparableFilter.floats(SeparableFilter.gauss(2 * reach + 1, along));
+			weights = Pixels.floats(SeparableFilter.gauss(2 * reach + 1, along));
 			best = new float[width * height];
 			padded = new float[width + 2 * reach];
 			rows = new float[padded.length * height];

@@ -47,7 +47,7 @@ final class SeparableFilter {
 		final int radius = kernel.length / 2;
 		final float[] out = new float[in.length];
 		final float[] padded = new float[width + 2 * radius], sums = new float[width];
-		final float[] factors = floats(kernel);
+		final float[] factors = Pixels.floats(kernel);
 		final int[] from = new int[kernel.length];
 		Arrays.setAll(from, k -> k);
 		for (int row = 0; row < in.length; row += width) {
@@ -62,7 +62,7 @@ final class SeparableFilter {
 	static float[] columns(final float[] in, final int width, final double[] kernel) {
 		final int radius = kernel.length / 2, height = in.length / width;
 		final float[] out = new float[in.length];
-		final float[] sums = new float[width], factors = floats(kernel);
+		final float[] sums = new float[width], factors = Pixels.floats(kernel);
 		final int[] from = new int[kernel.length];
 		for (int y = 0; y < height; y++) {
 			for (int k = 0; k < from.length; k++)
@@ -79,13 +79,6 @@ final class SeparableFilter {
 		Arrays.fill(padded, 0, radius, in[row]);
 		System.arraycopy(in, row, padded, radius, width);
 		Arrays.fill(padded, radius + width, padded.length, in[row + width - 1]);
-	}
-
-	static float[] floats(final double[] values) {
-		final float[] floats = new float[values.length];
-		for (int i = 0; i < floats.length; i++)
-			floats[i] = (float) values[i];
-		return floats;
 	}
 
 	/**

@@ -2,6 +2,7 @@ package io.github.knotresolver.image;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.RobustStatistics;
 
@@ -19,6 +20,17 @@ public final class StillPicture {
 	private static final int RANKS = 2;
 
 	private StillPicture() {
+	}
+
+	/**
+	 * @param frames how many there are
+	 * @param most at least two
+	 * @return indices of so many of them, or of all, spread evenly from the first to the last
+	 */
+	public static int[] looks(final int frames, final int most) {
+		final int count = Math.min(most, frames);
+		return IntStream.range(0, count).map(k -> (int) ((long) k * (frames - 1) / (count - 1)))
+			.toArray();
 	}
 
 	/**

@@ -105,6 +105,17 @@ public record Observation(int frame, FrameStatus status, String reason, Optional
 	}
 
 	/**
+	 * @param limit the most that can be believed, 0..1
+	 * @param why one sentence, in case nothing else has lowered the confidence so far
+	 * @return the same, no surer than that; a reason is given if it is not believed then
+	 */
+	public Observation atMost(final double limit, final String why) {
+		if (contour.isEmpty() || !(confidence > limit))
+			return this;
+		return withConfidence(limit, limit > SURE || !reason.isEmpty() ? reason : why);
+	}
+
+	/**
 	 * @param share share of the filament's length inside the picture, 0..1
 	 * @return the same with that share
 	 */

@@ -6,9 +6,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 
-import org.apache.commons.math3.stat.descriptive.rank.Median;
-
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.model.Anchor;
 import io.github.knotresolver.model.FilamentTrack;
 import io.github.knotresolver.model.Observation;
@@ -40,10 +39,6 @@ final class SceneDelivery {
 	static Optional<Point> fixedEnd(final Filament filament) {
 		final List<Point> starts = filament.frames().stream().flatMap(o -> o.contour().stream())
 			.map(c -> c.first()).toList();
-		return starts.isEmpty()
-			? Optional.empty()
-			: Optional.of(
-				new Point(new Median().evaluate(starts.stream().mapToDouble(Point::x).toArray()),
-					new Median().evaluate(starts.stream().mapToDouble(Point::y).toArray())));
+		return starts.isEmpty() ? Optional.empty() : Optional.of(RobustStatistics.median(starts));
 	}
 }

@@ -3,7 +3,6 @@ package io.github.knotresolver.session;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
-import java.util.stream.IntStream;
 
 import net.imglib2.RandomAccessibleInterval;
 import net.imglib2.type.numeric.RealType;
@@ -44,9 +43,9 @@ record StillSpots(Movie movie, AppearanceFinder.Found lines, int count) {
 		final StillSpots none = new StillSpots(movie, found, 0);
 		if (frames.size() < SessionTuning.FEWEST_STILL_FRAMES || !found.appearance().hasReference())
 			return none;
-		final int count = Math.min(SessionTuning.STILL_FRAMES, frames.size());
-		final float[] still = still(movie, IntStream.range(0, count)
-			.map(k -> frames.get((int) ((long) k * (frames.size() - 1) / (count - 1)))).toArray(),
+		final float[] still = still(movie,
+			Arrays.stream(StillPicture.looks(frames.size(), SessionTuning.STILL_FRAMES))
+				.map(frames::get).toArray(),
 			found.appearance().polarity().sign());
 		final RoundSpots.Found first = spots(still, movie.width(), found.appearance());
 		if (first.count() == 0)

@@ -64,10 +64,7 @@ final class Verdict {
 		final double most = Math.max(SessionTuning.LIKELY,
 			SessionTuning.SURE_BY_OTHERS * likely(all) / all.size());
 		return frames.stream()
-			.map(o -> o.status() == FrameStatus.RESOLVED && o.confidence() > most
-				? o.withConfidence(most,
-					most > Observation.SURE || !o.reason().isEmpty() ? o.reason() : MOSTLY_DOUBTFUL)
-				: o)
+			.map(o -> o.status() == FrameStatus.RESOLVED ? o.atMost(most, MOSTLY_DOUBTFUL) : o)
 			.toList();
 	}
 

@@ -93,8 +93,7 @@ final class JoinedPieces {
 		others.remove(Math.max(two[0], two[1]));
 		others.remove(Math.min(two[0], two[1]));
 		final List<Chain> chains = workers.map(n, t -> {
-			final Scene scene = new Scene(line.frames().get(t).light(), line.tables(),
-				others.stream().map(o -> o.chains().get(t)).toList());
+			final Scene scene = line.scene(t, others.stream().map(o -> o.chains().get(t)).toList());
 			final Chain start = Chain.inScene(curves.get(t), length);
 			return scene.window(List.of(start)).fit(start, Optional.of(start), weights.tracked())
 				.chain();

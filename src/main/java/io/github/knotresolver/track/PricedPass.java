@@ -23,10 +23,9 @@ record PricedPass(ScenePass pass, double[] left, boolean[][] clear) {
 		final double[] left = new double[n];
 		final boolean[][] clear = new boolean[pass.filaments()][n];
 		workers.map(n, t -> {
-			final Scene scene = new Scene(line.frames().get(t).light(), line.tables(),
-				pass.chains().get(t));
+			final Scene scene = line.scene(t, pass.chains().get(t));
 			final Unexplained unexplained = new Unexplained(scene, line.noise());
-			left[t] = unexplained.within(scene.near(line.near(t)));
+			left[t] = line.left(t, scene, unexplained);
 			for (int k = 0; k < clear.length; k++)
 				clear[k][t] = unexplained.isClear(pass.chains().get(t).get(k));
 			return t;

@@ -83,7 +83,7 @@ final class Pursuit {
 	private List<Course> following(final Course course, final int t) {
 		final List<Chain> others = new ArrayList<>(pass.chains().get(t));
 		others.remove(filament);
-		final Scene scene = new Scene(line.frames().get(t).light(), line.tables(), others);
+		final Scene scene = line.scene(t, others);
 		final List<Chain> predictions = predictions(course);
 		final SceneWindow window = scene.window(predictions);
 		Chain expected = predictions.get(0);

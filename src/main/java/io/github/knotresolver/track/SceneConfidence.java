@@ -71,18 +71,13 @@ record SceneConfidence(double gap, double unexplained, double dark, double haste
 	static List<Observation> together(final List<Observation> frames) {
 		final List<Observation> cautious = new ArrayList<>();
 		for (int t = 0; t < frames.size(); t++) {
-			final Observation here = frames.get(t);
 			final double least = frames
 				.subList(Math.max(0, t - SceneTuning.LIKE_NEIGHBOURS),
 					Math.min(frames.size(), t + SceneTuning.LIKE_NEIGHBOURS + 1))
 				.stream().filter(o -> o.contour().isPresent()).mapToDouble(Observation::confidence)
 				.min().orElse(1);
-			cautious.add(here.contour().isEmpty() || least >= here.confidence()
-				? here
-				: here.withConfidence(least,
-					!here.reason().isEmpty() || least >= Observation.SURE
-						? here.reason()
-						: "Doubtful: the contour of a frame just before or after this one is."));
+			cautious.add(frames.get(t).atMost(least,
+				"Doubtful: the contour of a frame just before or after this one is."));
 		}
 		return cautious;
 	}

@@ -57,8 +57,7 @@ final class SceneLengths {
 		}
 		if (isRight)
 			return Optional.empty();
-		final Scene scene = new Scene(line.frames().get(pass.start()).light(), line.tables(),
-			chains);
+		final Scene scene = line.scene(pass.start(), chains);
 		for (int sweep = 0; sweep < SceneTuning.LENGTH_SWEEPS; sweep++)
 			for (int k = 0; k < scene.size(); k++) {
 				final Chain chain = scene.chain(k);
@@ -119,8 +118,7 @@ final class SceneLengths {
 
 	/** The lengths in a frame; NaN where a filament is not clear. */
 	private double[] lengths(final ScenePass pass, final int t, final boolean[][] clear) {
-		final Scene scene = new Scene(line.frames().get(t).light(), line.tables(),
-			pass.chains().get(t));
+		final Scene scene = line.scene(t, pass.chains().get(t));
 		final double[] lengths = new double[scene.size()];
 		Arrays.fill(lengths, Double.NaN);
 		for (int k = 0; k < lengths.length; k++)

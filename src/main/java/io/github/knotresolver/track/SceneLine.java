@@ -195,10 +195,20 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		return sum / (tables.model().sigma() * Math.sqrt(2 * Math.PI));
 	}
 
+	/** A frame with chains drawn in it. */
+	Scene scene(final int t, final List<Chain> chains) {
+		return new Scene(frames.get(t).light(), tables, chains);
+	}
+
 	/** What chains leave of a frame's light, or explain too much, in strands squared. */
 	double left(final int t, final List<Chain> chains) {
-		final Scene scene = new Scene(frames.get(t).light(), tables, chains);
-		return new Unexplained(scene, noise).within(scene.near(near(t)));
+		final Scene scene = scene(t, chains);
+		return left(t, scene, new Unexplained(scene, noise));
+	}
+
+	/** The same, where what they leave is known pixel by pixel. */
+	double left(final int t, final Scene scene, final Unexplained unexplained) {
+		return unexplained.within(scene.near(near(t)));
 	}
 
 	/** The pixels of a frame in and around its objects. */

@@ -2,12 +2,10 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import java.util.SortedSet;
-import java.util.TreeSet;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Scene;
@@ -62,7 +60,7 @@ record ScenePass(int start, List<List<Chain>> chains) {
 		return new ScenePass(start, workers.map(chains.size(), t -> {
 			final List<Chain> here = new ArrayList<>(chains.get(t));
 			here.set(k, known.get(t));
-			final Scene scene = new Scene(line.frames().get(t).light(), line.tables(), here);
+			final Scene scene = line.scene(t, here);
 			for (int sweep = 0; sweep < 2; sweep++)
 				for (int other = 0; other < scene.size(); other++)
 					if (other != k && scene.mayTouch(k, other))
@@ -90,9 +88,7 @@ record ScenePass(int start, List<List<Chain>> chains) {
 	boolean[][] clear(final SceneLine line, final Workers workers) {
 		final boolean[][] clear = new boolean[filaments()][chains.size()];
 		workers.map(chains.size(), t -> {
-			final Scene scene = new Scene(line.frames().get(t).light(), line.tables(),
-				chains.get(t));
-			final Unexplained left = new Unexplained(scene, line.noise());
+			final Unexplained left = new Unexplained(line.scene(t, chains.get(t)), line.noise());
 			for (int k = 0; k < clear.length; k++)
 				clear[k][t] = left.isClear(chains.get(t).get(k));
 			return t;
@@ -115,7 +111,7 @@ record ScenePass(int start, List<List<Chain>> chains) {
 
 	/** Whether no light of another filament falls on one in a frame. */
 	boolean isAlone(final int k, final int t, final SceneLine line) {
-		final Scene scene = new Scene(line.frames().get(t).light(), line.tables(), chains.get(t));
+		final Scene scene = line.scene(t, chains.get(t));
 		for (int other = 0; other < scene.size(); other++)
 			if (other != k && scene.mayTouch(k, other))
 				return false;
@@ -124,15 +120,12 @@ record ScenePass(int start, List<List<Chain>> chains) {
 
 	/** A filament and those that touch it, or one that does, in nearly all frames; rising. */
 	List<Integer> touching(final int k) {
-		final SortedSet<Integer> group = new TreeSet<>(List.of(k));
-		boolean grown = true;
-		while (grown) {
-			grown = false;
+		final List<Integer> group = new ArrayList<>(List.of(k));
+		for (int next = 0; next < group.size(); next++)
 			for (int j = 0; j < filaments(); j++)
-				for (final int i : List.copyOf(group))
-					grown |= !group.contains(j) && touch(i, j) && group.add(j);
-		}
-		return List.copyOf(group);
+				if (!group.contains(j) && touch(group.get(next), j))
+					group.add(j);
+		return group.stream().sorted().toList();
 	}
 
 	private boolean touch(final int i, final int j) {
@@ -169,14 +162,8 @@ record ScenePass(int start, List<List<Chain>> chains) {
 	 * passes the one with less is right, also about how many filaments there are.
 	 */
 	double price(final SceneLine line) {
-		return Arrays.stream(left(line)).average().orElse(0) + priceOfFilaments();
-	}
-
-	/** What the pass does not explain in each frame. */
-	double[] left(final SceneLine line) {
-		final double[] left = new double[chains.size()];
-		Arrays.setAll(left, t -> line.left(t, chains.get(t)));
-		return left;
+		return IntStream.range(0, chains.size()).mapToDouble(t -> line.left(t, chains.get(t)))
+			.average().orElse(0) + priceOfFilaments();
 	}
 
 	double priceOfFilaments() {

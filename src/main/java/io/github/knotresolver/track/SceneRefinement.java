@@ -55,6 +55,8 @@ final class SceneRefinement {
 
 	/** Filaments that always touch may be one clamped filament that lies on itself. */
 	private List<Settled> wholes(final List<Settled> found) {
+		if (found.stream().noneMatch(SceneRefinement::isClamped))
+			return found;
 		List<Settled> filaments = found;
 		for (int k = 0; k < filaments.size(); k++) {
 			progress.checkCancelled();
@@ -63,8 +65,7 @@ final class SceneRefinement {
 			final List<Settled> others = new ArrayList<>(filaments);
 			others.removeAll(group);
 			if (touching.get(0) < k || group.size() < 2 || group.size() > SceneTuning.MOST_PIECES
-				|| others.isEmpty() || group.stream()
-					.noneMatch(f -> FilamentEnds.of(f.chains(), AnchorChoice.AUTO).clamped()))
+				|| others.isEmpty() || group.stream().noneMatch(SceneRefinement::isClamped))
 				continue;
 			final Optional<Settled> whole = again.followBeside(ScenePass.of(others))
 				.filter(SceneRefinement::isCredible);
@@ -74,6 +75,10 @@ final class SceneRefinement {
 			}
 		}
 		return filaments;
+	}
+
+	private static boolean isClamped(final Settled filament) {
+		return FilamentEnds.of(filament.chains(), AnchorChoice.AUTO).clamped();
 	}
 
 	/** What was put together from several explains their light, but is doubtful as a whole. */

@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 
 import io.github.knotresolver.fit.Chain;
-import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.progress.Progress;
 
@@ -48,9 +47,7 @@ final class SceneSettler {
 			progress.checkCancelled();
 			final List<Unexplained> left = new ArrayList<>();
 			for (final ScenePass pass : passes)
-				left.add(new Unexplained(
-					new Scene(line.frames().get(t).light(), line.tables(), pass.chains().get(t)),
-					noise));
+				left.add(new Unexplained(line.scene(t, pass.chains().get(t)), noise));
 			for (int k = 0; k < filaments.size(); k++)
 				prices.get(k).add(prices(filaments.get(k), t, left));
 		}

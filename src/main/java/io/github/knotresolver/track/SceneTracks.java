@@ -81,7 +81,7 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 			for (final List<Chain> c : chains)
 				here.add(c.get(t));
 			final FrameView frame = line.frames().get(t);
-			final Scene scene = new Scene(frame.light(), line.tables(), here);
+			final Scene scene = line.scene(t, here);
 			final Unexplained left = new Unexplained(scene, noise);
 			for (int k = 0; k < usual.length; k++) {
 				final double haste = haste(chains.get(k), t) / usual[k];

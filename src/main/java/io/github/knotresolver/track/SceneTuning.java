@@ -712,9 +712,6 @@ final class SceneTuning {
 	 */
 	static final double PURSUIT_SAME = 1.5;
 
-	private SceneTuning() {
-	}
-
 	/** [frames] Fewer frames do not tell what lies still. Why: a filament may rest for as long. */
 	static final int STILL_LEAST = 10;
 
@@ -765,4 +762,7 @@ final class SceneTuning {
 
 	/** [noise sigma] ... and so much. Why: in the mean of nine pixels, that is six sigma. */
 	static final double STILL_NOISES = 2;
+
+	private SceneTuning() {
+	}
 }

@@ -40,7 +40,8 @@ record StillLine(Chain chain, LineTables line, NormalizedFrame picture, double a
 	static StillLine of(final Chain chain, final LineTables line, final NormalizedFrame still,
 		final List<FrameView> frames) {
 		final double[] light = along(still, chain);
-		final NormalizedFrame picture = drawn(chain, line, still);
+		final NormalizedFrame picture = new NormalizedFrame(still.width(), still.height(),
+			new Scene(still, line, List.of(chain)).picture());
 		final double[] drawn = along(picture, chain);
 		final double[] ratios = frames.stream()
 			.mapToDouble(f -> usual(each(along(f.light(), chain), drawn, (a, b) -> a / b)))
@@ -49,16 +50,6 @@ record StillLine(Chain chain, LineTables line, NormalizedFrame picture, double a
 		final double dimmed = usual(each(light, drawn, (a, b) -> a / b));
 		return new StillLine(chain, line, picture, amplitude,
 			Arrays.stream(light).map(l -> l * amplitude / dimmed).toArray());
-	}
-
-	private static NormalizedFrame drawn(final Chain chain, final LineTables line,
-		final NormalizedFrame frame) {
-		final double[] dark = new double[frame.width() * frame.height()];
-		final double[] drawn = new Scene(new NormalizedFrame(frame.width(), frame.height(), dark),
-			line, List.of(chain)).residual().pixels();
-		for (int i = 0; i < drawn.length; i++)
-			drawn[i] = -drawn[i];
-		return new NormalizedFrame(frame.width(), frame.height(), drawn);
 	}
 
 	/** The light of a frame at the nodes of a chain but its ends. */

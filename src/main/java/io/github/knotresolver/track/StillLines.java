@@ -108,7 +108,7 @@ public final class StillLines {
 		final Set<Integer> lines = IntStream.range(0, found.size())
 			.filter(k -> mayBe.test(found.get(k))).boxed()
 			.collect(Collectors.toCollection(TreeSet::new));
-		final Scene scene = new Scene(still.frames().get(0).light(), still.tables(), found);
+		final Scene scene = still.scene(0, found);
 		for (int k = 0; k < found.size(); k++)
 			scene.take(k);
 		for (final int k : lines)
@@ -135,13 +135,11 @@ public final class StillLines {
 
 	/** Where free ends are in the same place in nearly all frames, each place once. */
 	private List<Point> stillEnds() {
-		final List<List<Point>> ends = frames.stream().map(
-			f -> f.graph().nodes().stream().filter(Node::isFreeEnd).map(Node::position).toList())
-			.toList();
+		final List<List<Point>> ends = frames.stream()
+			.map(f -> f.graph().freeEnds().stream().map(Node::position).toList()).toList();
 		final List<Point> still = new ArrayList<>();
-		for (int k = 0; k < SceneTuning.STILL_END_LOOKS; k++)
-			for (final Point end : ends
-				.get((int) ((long) k * (ends.size() - 1) / (SceneTuning.STILL_END_LOOKS - 1))))
+		for (final int t : StillPicture.looks(ends.size(), SceneTuning.STILL_END_LOOKS))
+			for (final Point end : ends.get(t))
 				if (!isNear(end, still) && ends.stream().filter(e -> isNear(end, e))
 					.count() >= SceneTuning.STILL_END_SEEN * ends.size())
 					still.add(end);
@@ -163,9 +161,9 @@ public final class StillLines {
 
 	/** What stays where it is, as a frame. */
 	private FrameView picture(final double strand) {
-		final int count = Math.min(SceneTuning.STILL_LOOKS, frames.size());
-		final List<float[]> some = workers.map(count,
-			k -> floats(frames.get((int) ((long) k * (frames.size() - 1) / (count - 1))).light()));
+		final int[] looks = StillPicture.looks(frames.size(), SceneTuning.STILL_LOOKS);
+		final List<float[]> some = workers.map(looks.length,
+			k -> Pixels.floats(frames.get(looks[k]).light().pixels()));
 		final NormalizedFrame first = frames.get(0).light();
 		final NormalizedFrame still = NormalizedFrame.of(first.width(), first.height(),
 			StillPicture.of(some));
@@ -175,13 +173,5 @@ public final class StillLines {
 			i -> mask[i] = still.meanAround(i % still.width(), i / still.width()) > bright);
 		final var masked = Pixels.mask(mask, still.width());
 		return new FrameView(1, still, masked, SkeletonGraph.of(Skeletonize.thin(masked)));
-	}
-
-	private static float[] floats(final NormalizedFrame light) {
-		final double[] pixels = light.pixels();
-		final float[] floats = new float[pixels.length];
-		for (int i = 0; i < floats.length; i++)
-			floats[i] = (float) pixels[i];
-		return floats;
 	}
 }

@@ -78,7 +78,7 @@ final class TailExchanges {
 		final List<Chain> here = new ArrayList<>();
 		for (final Settled s : filaments)
 			here.add(s.chains().get(t));
-		final Scene scene = new Scene(line.frames().get(t).light(), line.tables(), here);
+		final Scene scene = line.scene(t, here);
 		scene.take(i);
 		scene.take(j);
 		final double before = price(scene, j, a, b);

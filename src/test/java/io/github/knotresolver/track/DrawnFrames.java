@@ -2,6 +2,7 @@ package io.github.knotresolver.track;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
 import java.util.function.IntToDoubleFunction;
 
 import net.imglib2.img.Img;
@@ -11,7 +12,9 @@ import io.github.knotresolver.Drawn;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.DrawnMovie;
 import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.fit.LineTables;
 import io.github.knotresolver.fit.NormalizedFrame;
+import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.image.FrameCleaner;
@@ -48,6 +51,38 @@ final class DrawnFrames {
 			frames.add(new FrameView(t + 1, light, mask, SkeletonGraph.of(Skeletonize.thin(mask))));
 		}
 		return frames;
+	}
+
+	/**
+	 * @param size of the frame in pixels, across and down
+	 * @return the light of chains in strands, row by row, over a dark background
+	 */
+	static double[] light(final int size, final LineTables line, final List<Chain> chains) {
+		return new Scene(new NormalizedFrame(size, size, new double[size * size]), line, chains)
+			.picture();
+	}
+
+	/**
+	 * A square frame of which the lines are known; its mask is what is nearly half as bright as a
+	 * strand.
+	 *
+	 * @param frame its 1-based number
+	 * @param light in strands, row by row
+	 * @param noise of a pixel in strands
+	 * @param random of the noise
+	 */
+	static FrameView lit(final int frame, final double[] light, final double noise,
+		final Random random) {
+		final int size = (int) Math.sqrt(light.length);
+		final boolean[] bright = new boolean[light.length];
+		final double[] noisy = new double[light.length];
+		for (int i = 0; i < light.length; i++) {
+			bright[i] = light[i] > 0.45;
+			noisy[i] = noise * random.nextGaussian() + light[i];
+		}
+		final Img<BitType> mask = Pixels.mask(bright, size);
+		return new FrameView(frame, new NormalizedFrame(size, size, noisy), mask,
+			SkeletonGraph.of(Skeletonize.thin(mask)));
 	}
 
 	/**

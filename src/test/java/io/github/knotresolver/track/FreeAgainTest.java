@@ -9,24 +9,16 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 
-import net.imglib2.img.Img;
-import net.imglib2.type.logic.BitType;
-
 import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.LineModel.Kind;
 import io.github.knotresolver.fit.LineTables;
-import io.github.knotresolver.fit.NormalizedFrame;
-import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.graph.SkeletonGraph;
-import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
-import io.github.knotresolver.skeleton.Skeletonize;
 
 class FreeAgainTest {
 
@@ -59,19 +51,9 @@ class FreeAgainTest {
 	private static SceneLine line(final LineTables tables) {
 		final Random random = new Random(3);
 		final List<FrameView> frames = new ArrayList<>();
-		for (int t = 0; t < FRAMES; t++) {
-			final double[] light = new Scene(
-				new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]), tables,
-				List.of(glider(t))).residual().pixels();
-			final boolean[] bright = new boolean[light.length];
-			for (int i = 0; i < light.length; i++) {
-				bright[i] = light[i] < -0.45;
-				light[i] = NOISE * random.nextGaussian() - light[i];
-			}
-			final Img<BitType> mask = Pixels.mask(bright, SIZE);
-			frames.add(new FrameView(t + 1, new NormalizedFrame(SIZE, SIZE, light), mask,
-				SkeletonGraph.of(Skeletonize.thin(mask))));
-		}
+		for (int t = 0; t < FRAMES; t++)
+			frames.add(DrawnFrames.lit(t + 1, DrawnFrames.light(SIZE, tables, List.of(glider(t))),
+				NOISE, random));
 		return new SceneLine(tables, frames, NOISE);
 	}
 

@@ -12,43 +12,26 @@ import java.util.Set;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
-import net.imglib2.img.Img;
-import net.imglib2.type.logic.BitType;
-
 import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.LineModel.Kind;
 import io.github.knotresolver.fit.LineTables;
-import io.github.knotresolver.fit.NormalizedFrame;
-import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.graph.SkeletonGraph;
-import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
-import io.github.knotresolver.skeleton.Skeletonize;
 import io.github.knotresolver.track.SceneSettler.Settled;
 
 class SceneRefinementTest {
 
 	private static final int SIZE = 110, FRAMES = 12;
+	private static final LineTables LINE = LineTables
+		.together(LineModel.uniform(Kind.ADDITIVE, 1.4, 1));
 
 	private static FrameView frame(final int t, final List<Chain> chains, final Random random) {
-		final NormalizedFrame dark = new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]);
-		final double[] light = new Scene(dark,
-			LineTables.together(LineModel.uniform(Kind.ADDITIVE, 1.4, 1)), chains).residual()
-			.pixels();
-		final boolean[] bright = new boolean[light.length];
-		for (int i = 0; i < light.length; i++) {
-			bright[i] = light[i] < -0.45;
-			light[i] = 0.05 * random.nextGaussian() - light[i];
-		}
-		final Img<BitType> mask = Pixels.mask(bright, SIZE);
-		return new FrameView(t + 1, new NormalizedFrame(SIZE, SIZE, light), mask,
-			SkeletonGraph.of(Skeletonize.thin(mask)));
+		return DrawnFrames.lit(t + 1, DrawnFrames.light(SIZE, LINE, chains), 0.05, random);
 	}
 
 	private static SceneRefinement refinement(final List<List<Chain>> movie) {

@@ -10,44 +10,28 @@ import java.util.List;
 import java.util.Random;
 import java.util.Set;
 
-import net.imglib2.img.Img;
-import net.imglib2.type.logic.BitType;
-
 import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.LineModel.Kind;
 import io.github.knotresolver.fit.LineTables;
-import io.github.knotresolver.fit.NormalizedFrame;
-import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.graph.SkeletonGraph;
-import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.model.AnchorChoice;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
-import io.github.knotresolver.skeleton.Skeletonize;
 import io.github.knotresolver.track.SceneTracks.Filament;
 
 class SceneResolverTest {
 
 	private static final int SIZE = 120, FRAMES = 15;
 	private static final double NOISE = 0.05, STRAND = 80;
+	private static final LineTables LINE = LineTables
+		.together(LineModel.uniform(Kind.ADDITIVE, 1.4, 1));
 
 	private static FrameView frame(final int t, final List<Chain> chains, final Random random) {
-		final NormalizedFrame dark = new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]);
-		final double[] light = new Scene(dark,
-			LineTables.together(LineModel.uniform(Kind.ADDITIVE, 1.4, 1)), chains).residual()
-			.pixels();
-		final boolean[] bright = new boolean[light.length];
-		for (int i = 0; i < light.length; i++) {
-			bright[i] = light[i] < -0.45;
-			light[i] = STRAND * (NOISE * random.nextGaussian() - light[i]);
-		}
-		final Img<BitType> mask = Pixels.mask(bright, SIZE);
-		return new FrameView(t + 1, new NormalizedFrame(SIZE, SIZE, light), mask,
-			SkeletonGraph.of(Skeletonize.thin(mask)));
+		return DrawnFrames.lit(t + 1, DrawnFrames.light(SIZE, LINE, chains), NOISE, random)
+			.scaled(1 / STRAND);
 	}
 
 	private static SceneTracks resolve(final List<List<Chain>> chains) {

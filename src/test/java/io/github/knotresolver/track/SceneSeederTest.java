@@ -12,23 +12,15 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.stream.IntStream;
 
-import net.imglib2.img.Img;
-import net.imglib2.type.logic.BitType;
-
 import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.LineModel.Kind;
 import io.github.knotresolver.fit.LineTables;
-import io.github.knotresolver.fit.NormalizedFrame;
-import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.graph.SkeletonGraph;
-import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
-import io.github.knotresolver.skeleton.Skeletonize;
 
 class SceneSeederTest {
 
@@ -49,17 +41,7 @@ class SceneSeederTest {
 	}
 
 	private static FrameView frame(final List<Chain> chains) {
-		final Random random = new Random(7);
-		final double[] light = new Scene(new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]),
-			LINE, chains).residual().pixels();
-		final boolean[] bright = new boolean[light.length];
-		for (int i = 0; i < light.length; i++) {
-			bright[i] = light[i] < -0.45;
-			light[i] = NOISE * random.nextGaussian() - light[i];
-		}
-		final Img<BitType> mask = Pixels.mask(bright, SIZE);
-		return new FrameView(1, new NormalizedFrame(SIZE, SIZE, light), mask,
-			SkeletonGraph.of(Skeletonize.thin(mask)));
+		return DrawnFrames.lit(1, DrawnFrames.light(SIZE, LINE, chains), NOISE, new Random(7));
 	}
 
 	@Test

@@ -10,9 +10,6 @@ import java.util.Random;
 import java.util.Set;
 import java.util.function.IntFunction;
 
-import net.imglib2.img.Img;
-import net.imglib2.type.logic.BitType;
-
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -21,50 +18,30 @@ import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.LineModel.Kind;
 import io.github.knotresolver.fit.LineTables;
-import io.github.knotresolver.fit.NormalizedFrame;
-import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.graph.SkeletonGraph;
-import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
-import io.github.knotresolver.skeleton.Skeletonize;
 
 class StillLinesTest {
 
 	private static final int SIZE = 120, FRAMES = 20;
 	private static final double NOISE = 0.05, STRAND = 80;
+	private static final LineTables LOOK = LineTables
+		.together(LineModel.uniform(Kind.ADDITIVE, 1.4, 1));
 
 	/** Lines of which each is so many strands bright. */
 	private static FrameView frame(final int t, final Kind kind, final List<Chain> chains,
 		final double[] brightness, final Random random) {
 		final double[] light = new double[SIZE * SIZE];
 		for (int k = 0; k < chains.size(); k++) {
-			final double[] drawn = drawn(chains.get(k));
+			final double[] drawn = DrawnFrames.light(SIZE, LOOK, List.of(chains.get(k)));
 			for (int i = 0; i < light.length; i++)
 				light[i] = kind == Kind.ADDITIVE
 					? light[i] + brightness[k] * drawn[i]
 					: Math.max(light[i], brightness[k] * drawn[i]);
 		}
-		final boolean[] bright = new boolean[light.length];
-		for (int i = 0; i < light.length; i++) {
-			bright[i] = light[i] > 0.45;
-			light[i] = STRAND * (light[i] + NOISE * random.nextGaussian());
-		}
-		final Img<BitType> mask = Pixels.mask(bright, SIZE);
-		return new FrameView(t + 1, new NormalizedFrame(SIZE, SIZE, light), mask,
-			SkeletonGraph.of(Skeletonize.thin(mask)));
-	}
-
-	private static double[] drawn(final Chain chain) {
-		final NormalizedFrame dark = new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]);
-		final double[] drawn = new Scene(dark,
-			LineTables.together(LineModel.uniform(Kind.ADDITIVE, 1.4, 1)), List.of(chain))
-			.residual().pixels();
-		for (int i = 0; i < drawn.length; i++)
-			drawn[i] = -drawn[i];
-		return drawn;
+		return DrawnFrames.lit(t + 1, light, NOISE, random).scaled(1 / STRAND);
 	}
 
 	private static List<FrameView> movie(final Kind kind, final IntFunction<List<Chain>> chains,
@@ -122,7 +99,7 @@ class StillLinesTest {
 			assertTrue(SceneSeed.oneWay(line.frames().get(t).contour().orElseThrow(),
 				LINE.polyline()) < 0.2);
 			final double[] left = found.rest().get(t).light().pixels(),
-				alone = drawn(beating(t, 0.5));
+				alone = DrawnFrames.light(SIZE, LOOK, List.of(beating(t, 0.5)));
 			for (int i = 0; i < left.length; i++)
 				assertEquals(STRAND * alone[i], left[i], STRAND * 0.35, "pixel " + i);
 			assertTrue(SingleFilament.isOneObject(List.of(found.rest().get(t))),

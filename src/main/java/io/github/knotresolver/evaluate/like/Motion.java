@@ -96,37 +96,23 @@ public record Motion(double tipStep, double contourStep, double knotted, double 
 	/**
 	 * One frame's contour as the motion looks at it: points at equal arc length, and
 	 * what they say together.
+	 *
+	 * @param points at equal arc length
+	 * @param knotted whether strands cross or touch
+	 * @param turning how far it turns along its length, left and right, in full turns
 	 */
-	static final class Shape {
+	record Shape(Polyline points, boolean knotted, double turning) {
 
 		private static final int LINKS = 48;
 
 		/** Strands are different ones if they are this many widths apart along the filament. */
 		private static final double APART = 4;
 
-		private final Polyline points;
-		private final boolean knotted;
-		private final double turning;
-
-		private Shape(final Polyline points, final boolean knotted, final double turning) {
-			this.points = points;
-			this.knotted = knotted;
-			this.turning = turning;
-		}
-
 		/** @return the shape of a contour whose line is {@code width} pixels wide */
 		static Shape of(final Polyline contour, final double width) {
 			final Polyline points = contour.divided(LINKS);
 			return new Shape(points, isKnotted(contour.resampled(width / 2), width),
 				turning(points));
-		}
-
-		boolean knotted() {
-			return knotted;
-		}
-
-		double turning() {
-			return turning;
 		}
 
 		double extension() {
