@@ -10,8 +10,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
+import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
@@ -97,6 +101,16 @@ class ArchitectureTest {
 			}
 		}
 		assertEquals(List.of(), large, "files of more than " + LARGEST + " lines of code");
+	}
+
+	/** A name means one thing in all rooms. */
+	@Test
+	void noClassIsNamedLikeAnother() {
+		final Map<String, Long> named = CLASSES.stream().map(JavaClass::getSimpleName)
+			.filter(n -> !n.isEmpty() && !n.equals("package-info"))
+			.collect(Collectors.groupingBy(n -> n, TreeMap::new, Collectors.counting()));
+		assertEquals(List.of(), CLASSES.stream().filter(c -> !c.isNestedClass())
+			.map(JavaClass::getSimpleName).filter(n -> named.getOrDefault(n, 1L) > 1).toList());
 	}
 
 	private static String[] append(final String[] rooms, final String last) {

@@ -88,7 +88,7 @@ public final class CommandPlugIn implements PlugIn {
 		final Optional<String> problem) {
 		final String anchor = title.toLowerCase(Locale.ROOT).replaceAll("[^a-z ]", "").replace(' ',
 			'-');
-		return FormDialog.ask(new FormDialog.Words(title, DOCS + "#" + anchor, problem),
+		return FormDialog.ask(new FormDialog.Texts(title, DOCS + "#" + anchor, problem),
 			Form.of(command), command.groups(), command.companion(), command::check);
 	}
 

@@ -6,8 +6,8 @@ import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.ArrayRealVector;
 import org.apache.commons.math3.linear.CholeskyDecomposition;
 
-import io.github.knotresolver.fit.LineEstimator.Estimate;
 import io.github.knotresolver.fit.LineEstimator.Example;
+import io.github.knotresolver.fit.LineEstimator.LineEstimate;
 
 /**
  * How bright the filament is along its length, relative to its mean: a dim tip is still
@@ -26,7 +26,7 @@ final class BrightnessProfile {
 	 * @param line the line, uniform
 	 * @return relative brightness at equal spacing from the fixed end to the tip
 	 */
-	static double[] estimate(final List<Example> examples, final Estimate line) {
+	static double[] estimate(final List<Example> examples, final LineEstimate line) {
 		final double length = examples.get(0).chain().length();
 		final int knots = Math.max(FitTuning.FEWEST_KNOTS,
 			Math.min(FitTuning.MOST_KNOTS, 1 + (int) Math.rint(length / FitTuning.KNOT_SPACING)));
@@ -67,7 +67,7 @@ final class BrightnessProfile {
 			.solve(new ArrayRealVector(right, true)).toArray();
 	}
 
-	private static void add(final Example example, final Estimate line, final double[][] matrix,
+	private static void add(final Example example, final LineEstimate line, final double[][] matrix,
 		final double[] right) {
 		final int knots = right.length;
 		final LineEstimator.Around around = example.around();
@@ -96,8 +96,8 @@ final class BrightnessProfile {
 	}
 
 	/** Whether a line as it is expected is cut off somewhere. */
-	private static boolean isCutOff(final NormalizedFrame frame, final int at, final Estimate line,
-		final double[][] pictures) {
+	private static boolean isCutOff(final NormalizedFrame frame, final int at,
+		final LineEstimate line, final double[][] pictures) {
 		double uniform = 0;
 		for (final double[] picture : pictures)
 			uniform += picture[at];

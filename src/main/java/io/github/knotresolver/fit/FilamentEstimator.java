@@ -7,8 +7,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
-import io.github.knotresolver.fit.LineEstimator.Estimate;
 import io.github.knotresolver.fit.LineEstimator.Example;
+import io.github.knotresolver.fit.LineEstimator.LineEstimate;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.geometry.RobustStatistics;
@@ -109,7 +109,7 @@ public final class FilamentEstimator {
 		}
 
 		/** Fits the examples again; those that come from skeletons first as stiff filaments. */
-		List<Example> again(final List<Example> examples, final Estimate line,
+		List<Example> again(final List<Example> examples, final LineEstimate line,
 			final boolean fromSkeletons) {
 			return workers.map(examples.size(), i -> {
 				progress.checkCancelled();
@@ -127,7 +127,7 @@ public final class FilamentEstimator {
 		}
 
 		/** The way through each skeleton that explains most light, followed to the end of its light. */
-		List<Example> toTheEnd(final List<Example> examples, final Estimate line) {
+		List<Example> toTheEnd(final List<Example> examples, final LineEstimate line) {
 			return workers.map(examples.size(), i -> {
 				progress.checkCancelled();
 				final Example e = examples.get(i);
@@ -144,12 +144,12 @@ public final class FilamentEstimator {
 			});
 		}
 
-		private static NormalizedFrame scaled(final Example e, final Estimate line) {
+		private static NormalizedFrame scaled(final Example e, final LineEstimate line) {
 			return e.frame().rescaled(line.background(), line.amplitude());
 		}
 
-		private static Fit fit(final NormalizedFrame frame, final Estimate line, final Chain start,
-			final Optional<Point> hold, final FitSettings settings) {
+		private static Fit fit(final NormalizedFrame frame, final LineEstimate line,
+			final Chain start, final Optional<Point> hold, final FitSettings settings) {
 			return new FilamentFitter(frame, line.model(), start.links(), hold,
 				hold.isPresent() ? settings.withClampWeight(FitTuning.START_HELD) : settings)
 				.fit(start, Optional.empty());
@@ -157,7 +157,7 @@ public final class FilamentEstimator {
 	}
 
 	/** A line and the curves that were fitted with it. */
-	private record Learned(List<Example> examples, Estimate line) {
+	private record Learned(List<Example> examples, LineEstimate line) {
 
 		boolean isLine() {
 			return FilamentEstimator.isLine(line);
@@ -187,7 +187,7 @@ public final class FilamentEstimator {
 	private static Learned learn(final List<Example> seen, final LineModel.Kind kind,
 		final Fitting fitting) {
 		List<Example> examples = seen;
-		Estimate line = line(examples, kind, FitTuning.FIRST_WIDTH, fitting.progress);
+		LineEstimate line = line(examples, kind, FitTuning.FIRST_WIDTH, fitting.progress);
 		for (int round = 0; round < FitTuning.LINE_ROUNDS && line.isVisible(); round++) {
 			examples = fitting.again(examples, line, round == 0);
 			line = line(examples, kind, line.model().sigma(), fitting.progress);
@@ -202,7 +202,7 @@ public final class FilamentEstimator {
 	 */
 	private static Learned ended(final Learned first, final Fitting fitting) {
 		List<Example> examples = first.examples;
-		Estimate line = first.line;
+		LineEstimate line = first.line;
 		for (int round = 0; round < FitTuning.ENDING_ROUNDS && isLine(line); round++) {
 			examples = fitting.toTheEnd(examples, line);
 			line = line(examples, line.model().kind(), line.model().sigma(), fitting.progress);
@@ -213,7 +213,7 @@ public final class FilamentEstimator {
 	/** The same with what the brightness is along the filament, if that is noticeable. */
 	private static Learned evenOrNot(final Learned first, final Fitting fitting) {
 		List<Example> examples = first.examples;
-		Estimate line = first.line;
+		LineEstimate line = first.line;
 		// Along what is no line, no profile is learned: nothing comes of it.
 		for (int round = 0; round < FitTuning.MOST_PROFILE_ROUNDS && isLine(line); round++) {
 			final double[] brightness = BrightnessProfile.estimate(examples, line);
@@ -230,7 +230,7 @@ public final class FilamentEstimator {
 	}
 
 	/** A profile along it changes nothing of this. */
-	private static boolean isLine(final Estimate line) {
+	private static boolean isLine(final LineEstimate line) {
 		return line.isLine() && line.residual() < 1;
 	}
 
@@ -239,7 +239,7 @@ public final class FilamentEstimator {
 			.median(examples.stream().mapToDouble(e -> e.chain().length()).toArray());
 	}
 
-	private static Estimate line(final List<Example> examples, final LineModel.Kind kind,
+	private static LineEstimate line(final List<Example> examples, final LineModel.Kind kind,
 		final double sigma, final Progress progress) {
 		return LineEstimator.estimate(
 			examples.subList(0, Math.min(FitTuning.LINE_EXAMPLES, examples.size())), kind, sigma,
@@ -273,7 +273,7 @@ public final class FilamentEstimator {
 			.fit(start, Optional.empty()).chain();
 	}
 
-	private static FilamentEstimate summary(final List<Example> examples, final Estimate line) {
+	private static FilamentEstimate summary(final List<Example> examples, final LineEstimate line) {
 		final double[] lengths = examples.stream().mapToDouble(e -> e.chain().length()).toArray();
 		final double middle = RobustStatistics.median(lengths);
 		final double[] good = Arrays.stream(lengths)

@@ -77,8 +77,8 @@ public final class LineEstimator {
 	 * @param unexplained the same as a share of the variance of the neighbourhood's pixels, by
 	 *          which lines of different amplitudes can be compared
 	 */
-	public record Estimate(LineModel model, double amplitude, double background, double residual,
-		double unexplained) {
+	public record LineEstimate(LineModel model, double amplitude, double background,
+		double residual, double unexplained) {
 
 		/**
 		 * By which lines are compared. Where pixels were cut off, amplitudes differ so much that
@@ -110,8 +110,8 @@ public final class LineEstimator {
 				: frame.hides(at, amplitude * picture + background);
 		}
 
-		Estimate withModel(final LineModel other) {
-			return new Estimate(other, amplitude, background, residual, unexplained);
+		LineEstimate withModel(final LineModel other) {
+			return new LineEstimate(other, amplitude, background, residual, unexplained);
 		}
 	}
 
@@ -125,7 +125,7 @@ public final class LineEstimator {
 	 * @return the estimate; the best that was seen if the search does not settle, without an
 	 *         amplitude if the examples show no line at all
 	 */
-	public static Estimate estimate(final List<Example> examples, final LineModel.Kind kind,
+	public static LineEstimate estimate(final List<Example> examples, final LineModel.Kind kind,
 		final double sigma, final Progress progress) {
 		final boolean additive = kind == LineModel.Kind.ADDITIVE;
 		final double[] guess = additive ? new double[]{sigma} : new double[]{sigma, 1.5};
@@ -166,11 +166,12 @@ public final class LineEstimator {
 	 * @param model the line
 	 * @return the estimate
 	 */
-	public static Estimate fit(final List<Example> examples, final LineModel model) {
+	public static LineEstimate fit(final List<Example> examples, final LineModel model) {
 		final List<double[]> pictures = examples.stream()
 			.map(e -> ChainPixels.draw(e.frame(), model, e.chains(), e.around().patch())).toList();
 		// Where the line as it is known is cut off, pixels do not say how bright it is.
-		Estimate line = fit(examples, pictures, new Estimate(model, 1, 0, Double.NaN, Double.NaN));
+		LineEstimate line = fit(examples, pictures,
+			new LineEstimate(model, 1, 0, Double.NaN, Double.NaN));
 		if (model.kind() == LineModel.Kind.ADDITIVE && isClipped(examples))
 			for (int round = 0; round < CLIPPED_ROUNDS && line.isVisible(); round++)
 				line = fit(examples, pictures, line);
@@ -182,8 +183,8 @@ public final class LineEstimator {
 		return examples.stream().anyMatch(e -> e.frame.isClipped());
 	}
 
-	private static Estimate fit(final List<Example> examples, final List<double[]> pictures,
-		final Estimate known) {
+	private static LineEstimate fit(final List<Example> examples, final List<double[]> pictures,
+		final LineEstimate known) {
 		final boolean believes = known.model.kind() != LineModel.Kind.ADDITIVE;
 		double all = 0, sumAll = 0, squareAll = 0, n = 0, sumM = 0, sumI = 0, sumMM = 0, sumMI = 0,
 			sumII = 0;
@@ -209,7 +210,7 @@ public final class LineEstimator {
 		final double covariance = sumMI - sumM * sumI / n, variance = sumMM - sumM * sumM / n;
 		final double amplitude = covariance / variance;
 		final double rest = sumII - sumI * sumI / n - amplitude * covariance;
-		return new Estimate(known.model, amplitude, (sumI - amplitude * sumM) / n,
+		return new LineEstimate(known.model, amplitude, (sumI - amplitude * sumM) / n,
 			rest / all / (amplitude * amplitude), rest / (squareAll - sumAll * sumAll / all));
 	}
 }

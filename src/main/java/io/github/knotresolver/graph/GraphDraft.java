@@ -49,12 +49,12 @@ final class GraphDraft {
 		}
 	}
 
-	/** A chain of points from one vertex to another. Equal to itself only. */
-	static final class Chain {
+	/** A run of pixels from one vertex to another. Equal to itself only. */
+	static final class PixelRun {
 
 		private final List<Point> points;
 
-		Chain(final List<Point> points) {
+		PixelRun(final List<Point> points) {
 			this.points = points;
 		}
 
@@ -74,9 +74,9 @@ final class GraphDraft {
 		}
 	}
 
-	private final Graph<Vertex, Chain> graph = new Pseudograph<>(Chain.class);
+	private final Graph<Vertex, PixelRun> graph = new Pseudograph<>(PixelRun.class);
 
-	Graph<Vertex, Chain> graph() {
+	Graph<Vertex, PixelRun> graph() {
 		return graph;
 	}
 
@@ -87,7 +87,7 @@ final class GraphDraft {
 	}
 
 	void connect(final Vertex from, final Vertex to, final List<Point> points) {
-		graph.addEdge(from, to, new Chain(points));
+		graph.addEdge(from, to, new PixelRun(points));
 	}
 
 	/**
@@ -96,26 +96,26 @@ final class GraphDraft {
 	 * prong stays.
 	 */
 	void clean(final double spurLength, final Collection<Point> keep) {
-		for (final Chain c : List.copyOf(graph.edgeSet()))
+		for (final PixelRun c : List.copyOf(graph.edgeSet()))
 			if (graph.getEdgeSource(c) == graph.getEdgeTarget(c)
 				&& graph.getEdgeSource(c).kind == Kind.JUNCTION
 				&& c.line().length() < GraphTuning.NOTCH)
 				graph.removeEdge(c);
 		for (final Vertex v : List.copyOf(graph.vertexSet()))
 			settle(v);
-		for (Optional<Chain> spur = shortestSpur(spurLength, keep); spur
+		for (Optional<PixelRun> spur = shortestSpur(spurLength, keep); spur
 			.isPresent(); spur = shortestSpur(spurLength, keep))
 			prune(spur.get());
 	}
 
-	private Optional<Chain> shortestSpur(final double spurLength, final Collection<Point> keep) {
+	private Optional<PixelRun> shortestSpur(final double spurLength, final Collection<Point> keep) {
 		return graph.edgeSet().stream()
 			.filter(c -> c.line().length() < spurLength && isSpur(c, keep))
-			.min(Comparator.comparingDouble((Chain c) -> c.line().length())
-				.thenComparing(Chain::firstInScanOrder, SCAN_ORDER));
+			.min(Comparator.comparingDouble((PixelRun c) -> c.line().length())
+				.thenComparing(PixelRun::firstInScanOrder, SCAN_ORDER));
 	}
 
-	private boolean isSpur(final Chain c, final Collection<Point> keep) {
+	private boolean isSpur(final PixelRun c, final Collection<Point> keep) {
 		final Vertex a = graph.getEdgeSource(c), b = graph.getEdgeTarget(c);
 		if ((a.kind == Kind.FREE_END) == (b.kind == Kind.FREE_END))
 			return false;
@@ -123,7 +123,7 @@ final class GraphDraft {
 		return keep.stream().noneMatch(k -> k.distanceTo(tip.position) < GraphTuning.KEPT);
 	}
 
-	private void prune(final Chain spur) {
+	private void prune(final PixelRun spur) {
 		final Vertex a = graph.getEdgeSource(spur), b = graph.getEdgeTarget(spur);
 		final Vertex tip = a.kind == Kind.FREE_END ? a : b;
 		graph.removeVertex(tip);
@@ -145,7 +145,7 @@ final class GraphDraft {
 	}
 
 	private void merge(final Vertex v) {
-		final List<Chain> arms = List.copyOf(graph.edgesOf(v));
+		final List<PixelRun> arms = List.copyOf(graph.edgesOf(v));
 		if (arms.size() == 1) {
 			v.kind = Kind.RING;
 			return;

@@ -17,7 +17,7 @@ import org.jgrapht.graph.Pseudograph;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.graph.GraphDraft.Chain;
+import io.github.knotresolver.graph.GraphDraft.PixelRun;
 import io.github.knotresolver.graph.GraphDraft.Vertex;
 
 /**
@@ -90,7 +90,7 @@ public final class SkeletonGraph {
 		return numbered(draft.graph());
 	}
 
-	private static SkeletonGraph numbered(final Graph<Vertex, Chain> draft) {
+	private static SkeletonGraph numbered(final Graph<Vertex, PixelRun> draft) {
 		final List<Node> nodes = new ArrayList<>();
 		final Map<Vertex, Node> nodeOf = new HashMap<>();
 		draft.vertexSet().stream()
@@ -102,7 +102,7 @@ public final class SkeletonGraph {
 			});
 		final List<Segment> segments = new ArrayList<>();
 		draft.edgeSet().stream()
-			.sorted(Comparator.comparing(Chain::firstInScanOrder, GraphDraft.SCAN_ORDER))
+			.sorted(Comparator.comparing(PixelRun::firstInScanOrder, GraphDraft.SCAN_ORDER))
 			.forEach(c -> segments.add(segment(segments.size(), nodeOf.get(draft.getEdgeSource(c)),
 				nodeOf.get(draft.getEdgeTarget(c)), c.line())));
 		return new SkeletonGraph(nodes, segments);

@@ -32,7 +32,7 @@ final class SkeletonTracer {
 	static GraphDraft trace(final SkeletonPixels pixels) {
 		final SkeletonTracer tracer = new SkeletonTracer(pixels);
 		pixels.components(tracer.branches).forEach(tracer::addJunction);
-		pixels.components(tracer.rest).forEach(tracer::addChain);
+		pixels.components(tracer.rest).forEach(tracer::addRun);
 		return tracer.draft;
 	}
 
@@ -45,7 +45,7 @@ final class SkeletonTracer {
 			junctionAt[p] = junction;
 	}
 
-	private void addChain(final List<Integer> component) {
+	private void addRun(final List<Integer> component) {
 		final List<Integer> ends = component.stream()
 			.filter(p -> pixels.neighbours(p, rest).size() < 2).toList();
 		if (ends.isEmpty())

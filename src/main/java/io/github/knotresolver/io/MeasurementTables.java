@@ -47,11 +47,11 @@ public final class MeasurementTables {
 	@FunctionalInterface
 	private interface Rows {
 
-		void write(Table table, MovieMeasurements movie) throws IOException;
+		void write(Sheet table, MovieMeasurements movie) throws IOException;
 	}
 
 	/** A table whose rows end with the filament's number. */
-	private record Table(CSVPrinter csv, int filament) {
+	private record Sheet(CSVPrinter csv, int filament) {
 
 		void print(final Object... cells) throws IOException {
 			print(List.of(cells));
@@ -93,7 +93,7 @@ public final class MeasurementTables {
 		all.add(ContoursCsv.FILAMENT);
 		try (CSVPrinter csv = CsvFile.create(file, all.toArray(String[]::new))) {
 			for (final FilamentMeasurements f : filaments)
-				rows.write(new Table(csv, f.filament()), f.measurements());
+				rows.write(new Sheet(csv, f.filament()), f.measurements());
 		}
 	}
 
@@ -106,7 +106,7 @@ public final class MeasurementTables {
 			});
 	}
 
-	private static void writePoints(final Table table, final MovieMeasurements movie,
+	private static void writePoints(final Sheet table, final MovieMeasurements movie,
 		final FrameMeasurement f) throws IOException {
 		final ContourGeometry g = f.geometry().orElseThrow();
 		final Polyline smooth = g.smoothedPx();

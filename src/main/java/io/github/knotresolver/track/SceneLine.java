@@ -12,8 +12,8 @@ import java.util.stream.IntStream;
 import io.github.knotresolver.candidate.SceneTrails;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.LineEstimator;
-import io.github.knotresolver.fit.LineEstimator.Estimate;
 import io.github.knotresolver.fit.LineEstimator.Example;
+import io.github.knotresolver.fit.LineEstimator.LineEstimate;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.LineTables;
 import io.github.knotresolver.fit.NormalizedFrame;
@@ -62,7 +62,7 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		final List<FrameView> crossed = best(seen.stream().filter(s -> s.crossings > 0).toList(),
 			Comparator.comparingInt(Seen::loose)
 				.thenComparing(Comparator.comparingInt(Seen::crossings).reversed()));
-		final Estimate line = learn(new Looks(seen.stream().map(Seen::frame).toList(), open,
+		final LineEstimate line = learn(new Looks(seen.stream().map(Seen::frame).toList(), open,
 			crossed.isEmpty() ? open : crossed), kinds, progress);
 		final List<FrameView> known = scaled.stream()
 			.map(f -> f.rescaled(line.background(), line.amplitude())).toList();
@@ -117,11 +117,11 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 	 * The line, and whether it adds up. Where it saturates, ends may be blunt, or blurred by a
 	 * lens: open frames tell.
 	 */
-	private static Estimate learn(final Looks looks, final Collection<LineModel.Kind> kinds,
+	private static LineEstimate learn(final Looks looks, final Collection<LineModel.Kind> kinds,
 		final Progress progress) {
 		if (!kinds.contains(LineModel.Kind.SATURATING))
 			return learn(looks.open, LineModel.Kind.ADDITIVE, progress);
-		final Optional<Estimate> additive = kinds.contains(LineModel.Kind.ADDITIVE)
+		final Optional<LineEstimate> additive = kinds.contains(LineModel.Kind.ADDITIVE)
 			? Optional.of(learn(looks.open, LineModel.Kind.ADDITIVE, progress))
 			: Optional.empty();
 		final OptionalDouble crossings = additive
@@ -130,24 +130,24 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 			.orElse(OptionalDouble.empty());
 		if (crossings.isPresent() && crossings.getAsDouble() > SceneTuning.CROSSING_DOUBLE)
 			return additive.get();
-		final Estimate blunt = learn(looks.open, LineModel.Kind.SATURATING, progress);
-		final Estimate blurred = learn(looks.open, LineModel.Kind.BRIGHTEST, progress);
-		final Estimate saturating = blurred.residual() < blunt.residual() ? blurred : blunt;
+		final LineEstimate blunt = learn(looks.open, LineModel.Kind.SATURATING, progress);
+		final LineEstimate blurred = learn(looks.open, LineModel.Kind.BRIGHTEST, progress);
+		final LineEstimate saturating = blurred.residual() < blunt.residual() ? blurred : blunt;
 		// Without crossings, light adds up where a lens blurs the ends.
-		final Estimate rival = crossings.isPresent() ? saturating : blunt;
+		final LineEstimate rival = crossings.isPresent() ? saturating : blunt;
 		return additive.filter(a -> doubt(a, looks.crossed) <= doubt(rival, looks.crossed))
 			.orElse(saturating);
 	}
 
-	private static Estimate learn(final List<FrameView> frames, final LineModel.Kind kind,
+	private static LineEstimate learn(final List<FrameView> frames, final LineModel.Kind kind,
 		final Progress progress) {
-		Estimate line = new Estimate(LineModel.uniform(kind, SceneTuning.FIRST_SIGMA, 1), 1, 0, 1,
-			1);
+		LineEstimate line = new LineEstimate(LineModel.uniform(kind, SceneTuning.FIRST_SIGMA, 1), 1,
+			0, 1, 1);
 		for (int round = 0; round < SceneTuning.LINE_ROUNDS; round++) {
 			final List<Example> examples = examples(frames, line);
 			if (examples.isEmpty())
 				return line;
-			final Estimate next = LineEstimator.estimate(examples, kind, line.model().sigma(),
+			final LineEstimate next = LineEstimator.estimate(examples, kind, line.model().sigma(),
 				progress);
 			if (!next.isLine())
 				return line;
@@ -157,7 +157,7 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 	}
 
 	/** The frames with all chains fitted to them. */
-	private static List<Example> examples(final List<FrameView> frames, final Estimate line) {
+	private static List<Example> examples(final List<FrameView> frames, final LineEstimate line) {
 		final LineTables tables = LineTables.together(line.model());
 		final List<Example> examples = new ArrayList<>();
 		for (final FrameView frame : frames) {
@@ -173,7 +173,7 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 	}
 
 	/** What a line leaves unexplained where strands cross: there kinds differ most. */
-	private static double doubt(final Estimate line, final List<FrameView> crossed) {
+	private static double doubt(final LineEstimate line, final List<FrameView> crossed) {
 		final List<Example> examples = examples(crossed, line);
 		return examples.isEmpty()
 			? line.residual()

@@ -49,7 +49,7 @@ public final class FormDialog {
 	private final CountDownLatch closed = new CountDownLatch(1);
 	private boolean accepted;
 
-	private FormDialog(final Words words, final Form form, final FormGroups groups,
+	private FormDialog(final Texts words, final Form form, final FormGroups groups,
 		final Optional<FormCompanion> companion, final Runnable check) {
 		this.form = form;
 		this.check = check;
@@ -66,7 +66,7 @@ public final class FormDialog {
 	 * @param help address behind the Help button
 	 * @param problem what was wrong with the values at first; empty if nothing was
 	 */
-	public record Words(String title, String help, Optional<String> problem) {
+	public record Texts(String title, String help, Optional<String> problem) {
 	}
 
 	/**
@@ -81,7 +81,7 @@ public final class FormDialog {
 	 *          not
 	 * @return whether the form was filled in
 	 */
-	public static boolean ask(final Words words, final Form form, final FormGroups groups,
+	public static boolean ask(final Texts words, final Form form, final FormGroups groups,
 		final Optional<FormCompanion> companion, final Runnable check) {
 		final FormDialog present = OPEN.get(words.title);
 		if (present != null) {
@@ -122,7 +122,7 @@ public final class FormDialog {
 		return accepted;
 	}
 
-	private void build(final Words words) {
+	private void build(final Texts words) {
 		final JPanel all = new JPanel(new BorderLayout(GAP, GAP));
 		all.setBorder(BorderFactory.createEmptyBorder(2 * GAP, 2 * GAP, GAP, 2 * GAP));
 		all.add(fields.panel(), BorderLayout.CENTER);
@@ -155,7 +155,7 @@ public final class FormDialog {
 		return part;
 	}
 
-	private JPanel buttons(final Words words) {
+	private JPanel buttons(final Texts words) {
 		final JButton help = button("Help", "The page of this dialog, in the browser",
 			() -> IJ.runPlugIn(BrowserLauncher.class.getName(), words.help));
 		final JButton cancel = button("Cancel", "Nothing is done (Esc)", this::close);

@@ -189,7 +189,7 @@ public final class MethodFigures {
 			contour.length());
 		final NormalizedFrame pixels = new NormalizedFrame(movie.width(), movie.height(),
 			Pixels.doubles(frame));
-		final LineEstimator.Estimate line = LineEstimator.estimate(
+		final LineEstimator.LineEstimate line = LineEstimator.estimate(
 			List.of(new LineEstimator.Example(pixels, chain)), LineModel.Kind.ADDITIVE, 1.8,
 			Progress.NONE);
 		final double[] seen = pixels.rescaled(line.background(), line.amplitude()).pixels();

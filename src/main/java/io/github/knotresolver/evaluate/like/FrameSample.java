@@ -20,7 +20,7 @@ final class FrameSample {
 
 	/** Takes a pixel near the contour. */
 	@FunctionalInterface
-	interface Beside {
+	interface Neighbours {
 
 		/**
 		 * @param distance from the contour in pixels
@@ -92,7 +92,7 @@ final class FrameSample {
 	}
 
 	/** Gives every pixel beside the contour, not those around its ends. */
-	void forEachBeside(final Beside visitor) {
+	void forEachBeside(final Neighbours visitor) {
 		for (int i = 0; i < pixels.length; i++)
 			if (isNear(i) && near.arc(i) > 0 && near.arc(i) < 1 && !Double.isNaN(pixels[i]))
 				visitor.accept(Math.min(near.distance(i), AppearanceMeter.FAR - 1e-9), near.arc(i),
