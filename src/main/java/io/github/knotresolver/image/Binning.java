@@ -47,8 +47,9 @@ public final class Binning {
 		final float[] out = new float[columns * rows];
 		final float share = 1f / (factor * factor);
 		for (int y = 0; y < rows * factor; y++)
-			for (int x = 0; x < columns * factor; x++)
-				out[y / factor * columns + x / factor] += in[y * width + x];
+			for (int column = 0; column < columns; column++)
+				for (int x = column * factor; x < (column + 1) * factor; x++)
+					out[y / factor * columns + column] += in[y * width + x];
 		for (int i = 0; i < out.length; i++)
 			out[i] *= share;
 		return out;

@@ -55,7 +55,8 @@ final class Blobs {
 
 	private static boolean isRound(final Hessian h, final int at, final double limit) {
 		final double mean = mean(h, at);
-		final double half = Math.hypot((h.xx()[at] - h.yy()[at]) / 2, h.xy()[at]);
+		final double across = (h.xx()[at] - h.yy()[at]) / 2, xy = h.xy()[at];
+		final double half = Math.sqrt(across * across + xy * xy);
 		return mean + half > limit && mean - half > ImageTuning.ROUND * (mean + half);
 	}
 

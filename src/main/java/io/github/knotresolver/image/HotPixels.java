@@ -43,58 +43,87 @@ public final class HotPixels {
 		return out;
 	}
 
-	/** Works on a row at a time, without branches. Beyond the border its pixels are repeated. */
+	/**
+	 * Works on copies of rows, without branches: only of arrays that all are read at the same index
+	 * does Java's compiler look at several pixels at a time. Beyond the border its pixels are repeated.
+	 */
 	private static final class Row {
 
 		private final int width;
+		/** The pixels above, the row itself, and those below. */
+		private final float[] up, here, down;
 		/** Of the pixels above and below each: the larger, the smaller. */
 		private final float[] larger, smaller;
-		/** Of each column of three: the largest, the smallest, the middle one; a column more at both sides. */
+		/** Of each column of three: the largest, the smallest, the middle one. */
 		private final float[] most, least, middle;
+		/** Of a column's two neighbours: on the left, on the right. */
+		private final float[] left, right;
+		/** What each pixel is held between. */
+		private final float[] low, high;
 
 		Row(final int width) {
 			this.width = width;
+			up = new float[width];
+			here = new float[width];
+			down = new float[width];
 			larger = new float[width];
 			smaller = new float[width];
-			most = new float[width + 2];
-			least = new float[width + 2];
-			middle = new float[width + 2];
+			most = new float[width];
+			least = new float[width];
+			middle = new float[width];
+			left = new float[width];
+			right = new float[width];
+			low = new float[width];
+			high = new float[width];
 		}
 
-		void clip(final float[] in, final int up, final int here, final int down,
+		void clip(final float[] in, final int above, final int row, final int below,
 			final float[] out) {
-			for (int x = 0; x < width; x++) {
-				larger[x] = Math.max(in[up + x], in[down + x]);
-				smaller[x] = Math.min(in[up + x], in[down + x]);
+			System.arraycopy(in, above, up, 0, width);
+			System.arraycopy(in, row, here, 0, width);
+			System.arraycopy(in, below, down, 0, width);
+			for (int x = 0; x < up.length; x++) {
+				larger[x] = Math.max(up[x], down[x]);
+				smaller[x] = Math.min(up[x], down[x]);
 			}
-			for (int x = 0; x < width; x++) {
-				final float value = in[here + x];
-				most[x + 1] = Math.max(larger[x], value);
-				least[x + 1] = Math.min(smaller[x], value);
-				middle[x + 1] = Math.max(smaller[x], Math.min(larger[x], value));
+			for (int x = 0; x < here.length; x++) {
+				most[x] = Math.max(larger[x], here[x]);
+				least[x] = Math.min(smaller[x], here[x]);
+				middle[x] = Math.max(smaller[x], Math.min(larger[x], here[x]));
 			}
-			for (final float[] columns : new float[][]{most, least, middle}) {
-				columns[0] = columns[1];
-				columns[width + 1] = columns[width];
-			}
-			for (int x = 0; x < width; x++)
-				out[here + x] = Math.max(secondSmallest(x),
-					Math.min(secondLargest(x), in[here + x]));
+			secondLargest();
+			secondSmallest();
+			for (int x = 0; x < here.length; x++)
+				here[x] = Math.max(low[x], Math.min(high[x], here[x]));
+			System.arraycopy(here, 0, out, row, width);
 		}
 
 		/** Of the eight neighbours. */
-		private float secondLargest(final int x) {
-			final float sides = Math.max(most[x], most[x + 2]);
-			final float second = Math.max(Math.min(most[x], most[x + 2]),
-				Math.max(middle[x], middle[x + 2]));
-			return Math.max(Math.min(sides, larger[x]), Math.max(second, smaller[x]));
+		private void secondLargest() {
+			beside(most);
+			for (int x = 0; x < high.length; x++)
+				high[x] = Math.max(Math.min(left[x], right[x]),
+					Math.min(Math.max(left[x], right[x]), larger[x]));
+			beside(middle);
+			for (int x = 0; x < high.length; x++)
+				high[x] = Math.max(Math.max(high[x], smaller[x]), Math.max(left[x], right[x]));
 		}
 
-		private float secondSmallest(final int x) {
-			final float sides = Math.min(least[x], least[x + 2]);
-			final float second = Math.min(Math.max(least[x], least[x + 2]),
-				Math.min(middle[x], middle[x + 2]));
-			return Math.min(Math.max(sides, smaller[x]), Math.min(second, larger[x]));
+		private void secondSmallest() {
+			beside(least);
+			for (int x = 0; x < low.length; x++)
+				low[x] = Math.min(Math.max(left[x], right[x]),
+					Math.max(Math.min(left[x], right[x]), smaller[x]));
+			beside(middle);
+			for (int x = 0; x < low.length; x++)
+				low[x] = Math.min(Math.min(low[x], larger[x]), Math.min(left[x], right[x]));
+		}
+
+		private void beside(final float[] columns) {
+			System.arraycopy(columns, 0, left, 1, width - 1);
+			left[0] = columns[0];
+			System.arraycopy(columns, 1, right, 0, width - 1);
+			right[width - 1] = columns[width - 1];
 		}
 	}
 }

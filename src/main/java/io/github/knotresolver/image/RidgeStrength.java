@@ -128,12 +128,16 @@ public final class RidgeStrength {
 	private static final class Bank {
 
 		private final Hessian hessian;
-		private final int width, height, reach;
+		private final int width, height, reach, paddedWidth;
 		private final float[] weights;
 		private final float[] best;
-		private final float[] padded, rows, sums;
+		/** The second derivative across a direction: as it is, and its rows padded. */
+		private final float[] across, padded;
+		private final float[] sums;
 		private final int[] from;
 		private final RidgeNoise noise;
+		private final WeightedRows weighted;
+		private final RowMaximum strongest;
 
 		Bank(final Hessian hessian, final double along) {
 			this.hessian = hessian;
@@ -142,9 +146,12 @@ public final class RidgeStrength {
 			reach = (int) Math.ceil(ImageTuning.ALONG_REACH * along);
 			weights = Pixels.floats(SeparableFilter.gauss(2 * reach + 1, along));
 			best = new float[width * height];
-			padded = new float[width + 2 * reach];
-			rows = new float[padded.length * height];
+			paddedWidth = width + 2 * reach;
+			across = new float[width * height];
+			padded = new float[paddedWidth * height];
 			sums = new float[width];
+			strongest = new RowMaximum(width);
+			weighted = new WeightedRows(width);
 			from = new int[weights.length];
 			noise = new RidgeNoise(width, height);
 			Arrays.fill(best, Float.NEGATIVE_INFINITY);
@@ -161,30 +168,17 @@ public final class RidgeStrength {
 
 		private void look(final int k) {
 			final Direction d = new Direction(k);
-			across(d);
+			d.across(hessian, across);
+			for (int y = 0; y < height; y++)
+				SeparableFilter.pad(across, y * width, width, reach, padded, y * paddedWidth);
 			for (int y = 0; y < height; y++) {
 				for (int i = -reach; i <= reach; i++)
-					from[i
-						+ reach] = Math.min(Math.max(y + d.rows(i), 0), height - 1) * padded.length
-							+ reach + d.columns(i);
-				SeparableFilter.sum(rows, from, weights, sums);
+					from[i + reach] = Math.min(Math.max(y + d.rows(i), 0), height - 1) * paddedWidth
+						+ reach + d.columns(i);
+				weighted.sum(padded, from, weights, sums);
 				if (k % SAMPLED == 0 && y % RidgeNoise.STRIDE == 0)
 					noise.add(y, sums, 0);
-				raise(best, y * width, sums);
-			}
-		}
-
-		private static void raise(final float[] best, final int row, final float[] sums) {
-			for (int x = 0; x < sums.length; x++)
-				best[row + x] = Math.max(best[row + x], sums[x]);
-		}
-
-		/** The negative second derivative across the direction, its rows padded. */
-		private void across(final Direction d) {
-			for (int y = 0; y < height; y++) {
-				d.across(hessian, y * width, sums);
-				SeparableFilter.pad(sums, 0, width, reach, padded);
-				System.arraycopy(padded, 0, rows, y * padded.length, padded.length);
+				strongest.raise(best, y * width, sums, 0, width);
 			}
 		}
 	}
@@ -213,11 +207,11 @@ public final class RidgeStrength {
 			return (int) Math.rint(steps * s);
 		}
 
-		/** The negative second derivative across it, in a row. */
-		void across(final Hessian h, final int row, final float[] out) {
+		/** The negative second derivative across it, at every pixel. */
+		void across(final Hessian h, final float[] out) {
 			final float[] xx = h.xx(), xy = h.xy(), yy = h.yy();
-			for (int x = 0; x < out.length; x++)
-				out[x] = mixed * xy[row + x] - alongX * xx[row + x] - alongY * yy[row + x];
+			for (int at = 0; at < out.length; at++)
+				out[at] = mixed * xy[at] - alongX * xx[at] - alongY * yy[at];
 		}
 
 		float across(final Hessian h, final int at) {

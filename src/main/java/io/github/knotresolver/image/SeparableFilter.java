@@ -31,7 +31,7 @@ final class SeparableFilter {
 		final float[] out = new float[in.length];
 		final float[] padded = new float[width + 2 * radius];
 		for (int row = 0; row < in.length; row += width) {
-			pad(in, row, width, radius, padded);
+			pad(in, row, width, radius, padded, 0);
 			for (int x = 0; x < width; x++) {
 				double sum = 0;
 				for (int k = 0; k < kernel.length; k++)
@@ -50,9 +50,10 @@ final class SeparableFilter {
 		final float[] factors = Pixels.floats(kernel);
 		final int[] from = new int[kernel.length];
 		Arrays.setAll(from, k -> k);
+		final WeightedRows weighted = new WeightedRows(width);
 		for (int row = 0; row < in.length; row += width) {
-			pad(in, row, width, radius, padded);
-			sum(padded, from, factors, sums);
+			pad(in, row, width, radius, padded, 0);
+			weighted.sum(padded, from, factors, sums);
 			System.arraycopy(sums, 0, out, row, width);
 		}
 		return out;
@@ -64,54 +65,22 @@ final class SeparableFilter {
 		final float[] out = new float[in.length];
 		final float[] sums = new float[width], factors = Pixels.floats(kernel);
 		final int[] from = new int[kernel.length];
+		final WeightedRows weighted = new WeightedRows(width);
 		for (int y = 0; y < height; y++) {
 			for (int k = 0; k < from.length; k++)
 				from[k] = Math.min(Math.max(y + k - radius, 0), height - 1) * width;
-			sum(in, from, factors, sums);
+			weighted.sum(in, from, factors, sums);
 			System.arraycopy(sums, 0, out, y * width, width);
 		}
 		return out;
 	}
 
-	/** A row with its outermost pixels repeated. */
+	/** A row with its outermost pixels repeated, put into an array at a place. */
 	static void pad(final float[] in, final int row, final int width, final int radius,
-		final float[] padded) {
-		Arrays.fill(padded, 0, radius, in[row]);
-		System.arraycopy(in, row, padded, radius, width);
-		Arrays.fill(padded, radius + width, padded.length, in[row + width - 1]);
-	}
-
-	/**
-	 * Weighted sums of parts of an array, added in the order given; four parts at a time, so
-	 * that sums are seldom stored.
-	 *
-	 * @param in values
-	 * @param from where each part begins
-	 * @param factors one for each part
-	 * @param sums the result, as long as a part
-	 */
-	static void sum(final float[] in, final int[] from, final float[] factors, final float[] sums) {
-		Arrays.fill(sums, 0);
-		int k = 0;
-		for (; k + 4 <= from.length; k += 4)
-			addFour(in, from, factors, k, sums);
-		for (; k < from.length; k++)
-			add(in, from[k], factors[k], sums);
-	}
-
-	private static void addFour(final float[] in, final int[] from, final float[] factors,
-		final int first, final float[] sums) {
-		final int a = from[first], b = from[first + 1], c = from[first + 2], d = from[first + 3];
-		final float fa = factors[first], fb = factors[first + 1], fc = factors[first + 2],
-			fd = factors[first + 3];
-		for (int x = 0; x < sums.length; x++)
-			sums[x] = sums[x] + fa * in[a + x] + fb * in[b + x] + fc * in[c + x] + fd * in[d + x];
-	}
-
-	private static void add(final float[] in, final int from, final float factor,
-		final float[] sums) {
-		for (int x = 0; x < sums.length; x++)
-			sums[x] += factor * in[from + x];
+		final float[] padded, final int to) {
+		Arrays.fill(padded, to, to + radius, in[row]);
+		System.arraycopy(in, row, padded, to + radius, width);
+		Arrays.fill(padded, to + radius + width, to + width + 2 * radius, in[row + width - 1]);
 	}
 
 	/** @return rows as columns */

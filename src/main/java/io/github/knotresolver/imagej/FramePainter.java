@@ -8,6 +8,7 @@ import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.image.BufferedImage;
+import java.util.Arrays;
 import java.util.function.DoubleFunction;
 
 import net.imglib2.RandomAccess;
@@ -24,12 +25,17 @@ final class FramePainter {
 	/** Steps of a colour along a contour, in pixels. */
 	private static final double STEP = 1.5;
 
+	/** The greys of whole numbers from 0 on are kept: those of all 16-bit pixels. */
+	private static final int KEPT = 1 << 16, UNKNOWN = -1;
+
 	private final Contrast contrast;
 	private final Viewport view;
+	private final int[] kept = new int[KEPT];
 
 	FramePainter(final Contrast contrast, final Viewport view) {
 		this.contrast = contrast;
 		this.view = view;
+		Arrays.fill(kept, UNKNOWN);
 	}
 
 	/**
@@ -47,11 +53,20 @@ final class FramePainter {
 			for (int x = 0; x < row.length; x++) {
 				if (x > 0)
 					pixel.fwd(0);
-				row[x] = 0x010101 * contrast.gray(pixel.get().getRealDouble());
+				row[x] = 0x010101 * gray(pixel.get().getRealDouble());
 			}
 			part.getRaster().setDataElements(0, y, row.length, 1, row);
 		}
 		return enlarged(part);
+	}
+
+	private int gray(final double value) {
+		final int whole = (int) value;
+		if (whole != value || whole < 0 || whole >= KEPT)
+			return contrast.gray(value);
+		if (kept[whole] == UNKNOWN)
+			kept[whole] = contrast.gray(value);
+		return kept[whole];
 	}
 
 	private BufferedImage enlarged(final BufferedImage part) {

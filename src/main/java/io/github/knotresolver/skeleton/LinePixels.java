@@ -11,11 +11,12 @@ import io.github.knotresolver.image.Pixels;
 /** Lines one pixel wide that can be walked along and cut. Places are those of {@link Neighbourhood}. */
 final class LinePixels {
 
-	private Neighbourhood line;
+	private final Neighbourhood line;
 
 	/** @param mask is thinned */
 	LinePixels(final RandomAccessibleInterval<BitType> mask) {
-		line = new Neighbourhood(Skeletonize.thin(mask));
+		line = new Neighbourhood(mask);
+		Skeletonize.thin(line);
 	}
 
 	/** @return the places of all pixels, row by row */
@@ -117,7 +118,7 @@ final class LinePixels {
 
 	/** Corners that cutting or drawing left are taken out. */
 	void thin() {
-		line = new Neighbourhood(Skeletonize.thin(image()));
+		Skeletonize.thin(line);
 	}
 
 	boolean[] bits() {

@@ -1,6 +1,8 @@
 
 package io.github.knotresolver.skeleton;
 
+import java.util.Arrays;
+
 import net.imglib2.RandomAccessibleInterval;
 import net.imglib2.type.logic.BitType;
 
@@ -17,6 +19,8 @@ final class Neighbourhood {
 	private final int height;
 	private final boolean[] bits;
 	private final int[] steps;
+	/** Places outside of which nothing is in the mask, row by row; null if they must be looked for. */
+	private int[] candidates;
 
 	Neighbourhood(final RandomAccessibleInterval<BitType> mask) {
 		width = Pixels.width(mask);
@@ -29,17 +33,27 @@ final class Neighbourhood {
 			System.arraycopy(inside, y * width, bits, (y + 1) * stride + 1, width);
 	}
 
-	/** @return the places of the mask's pixels, row by row */
+	/** @return the places of the mask's pixels, row by row; a new array */
 	int[] pixels() {
+		final int[] pixels = candidates == null ? all() : candidates.clone();
+		int count = 0;
+		for (final int at : pixels)
+			if (bits[at])
+				pixels[count++] = at;
+		candidates = Arrays.copyOf(pixels, count);
+		return Arrays.copyOf(pixels, count);
+	}
+
+	private int[] all() {
 		int count = 0;
 		for (final boolean bit : bits)
 			if (bit)
 				count++;
-		final int[] pixels = new int[count];
+		final int[] all = new int[count];
 		for (int at = 0, next = 0; at < bits.length; at++)
 			if (bits[at])
-				pixels[next++] = at;
-		return pixels;
+				all[next++] = at;
+		return all;
 	}
 
 	/** @return the neighbours of a place as one byte, 0..255 */
@@ -72,6 +86,7 @@ final class Neighbourhood {
 	}
 
 	void add(final int x, final int y) {
+		candidates = null;
 		bits[(y + 1) * (width + 2) + x + 1] = true;
 	}
 

@@ -40,6 +40,12 @@ public final class Skeletonize {
 	 */
 	public static Img<BitType> thin(final RandomAccessibleInterval<BitType> mask) {
 		final Neighbourhood line = new Neighbourhood(mask);
+		thin(line);
+		return Pixels.mask(line.toBits(), line.width());
+	}
+
+	/** As {@link #thin(RandomAccessibleInterval)}, in place. */
+	static void thin(final Neighbourhood line) {
 		int[] pixels = line.pixels();
 		int before;
 		do {
@@ -48,7 +54,6 @@ public final class Skeletonize {
 			for (final int side : new int[]{NORTH, SOUTH, EAST, WEST})
 				pixels = peel(line, pixels, side);
 		} while (pixels.length < before);
-		return Pixels.mask(line.toBits(), line.width());
 	}
 
 	/** @return whether a pixel with such neighbours may go without changing the topology or an end */
