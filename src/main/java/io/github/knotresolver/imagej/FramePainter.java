@@ -40,7 +40,7 @@ final class FramePainter {
 
 	/**
 	 * @param frame x, y
-	 * @return the viewport's part of it, in grey
+	 * @return the viewport's part of it, in grey; of type {@link BufferedImage#TYPE_INT_RGB}
 	 */
 	BufferedImage paint(final RandomAccessibleInterval<? extends RealType<?>> frame) {
 		final BufferedImage part = new BufferedImage(view.width(), view.height(),
@@ -70,6 +70,8 @@ final class FramePainter {
 	}
 
 	private BufferedImage enlarged(final BufferedImage part) {
+		if (part.getWidth() == view.screenWidth() && part.getHeight() == view.screenHeight())
+			return part;
 		final BufferedImage picture = new BufferedImage(view.screenWidth(), view.screenHeight(),
 			BufferedImage.TYPE_INT_RGB);
 		final Graphics2D g = picture.createGraphics();

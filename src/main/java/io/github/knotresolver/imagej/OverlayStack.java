@@ -1,5 +1,7 @@
 package io.github.knotresolver.imagej;
 
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -56,7 +58,9 @@ final class OverlayStack extends VirtualStack {
 	@Override
 	public ImageProcessor getProcessor(final int n) {
 		progress.checkCancelled();
-		return new ColorProcessor(painter.paint(n - 1));
+		final BufferedImage picture = painter.paint(n - 1);
+		return new ColorProcessor(picture.getWidth(), picture.getHeight(),
+			((DataBufferInt) picture.getRaster().getDataBuffer()).getData());
 	}
 
 	@Override
