@@ -1,6 +1,7 @@
 package io.github.knotresolver.command;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 
 import io.github.knotresolver.imagej.form.FormGroups;
@@ -31,6 +32,8 @@ final class ResolveGroups {
 			final List<String> names = new ArrayList<>(
 				ResolveOptions.ALL.stream().filter(option -> option.section() == section)
 					.map(Option::key).filter(key -> !BASIC.contains(key)).toList());
+			// It comes before the threshold in the flow of data, and its two values beside each other.
+			names.sort(Comparator.comparing(key -> !key.startsWith("log_")));
 			if (section == Section.RUN)
 				names.addAll(RESULT);
 			advanced.add(new Group(section.heading(), names));

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.DoubleFunction;
 
 import ij.gui.Overlay;
 import ij.gui.PolygonRoi;
@@ -34,24 +35,55 @@ public final class ReviewPictures {
 	}
 
 	/**
+	 * How large small pictures are.
+	 *
+	 * @param width at most, in units of the window
+	 * @param height likewise
+	 * @param sharpness pixels of the screen for one such unit
+	 */
+	public record Size(int width, int height, double sharpness) {
+	}
+
+	/** Small pictures of one part of the movie, all of one size. */
+	public final class Small {
+
+		private final DoubleFunction<Color> colour;
+		private final FramePainter painter;
+		private final double sharpness;
+
+		private Small(final DoubleFunction<Color> colour, final Viewport part, final Size size) {
+			this.colour = colour;
+			sharpness = size.sharpness;
+			painter = new FramePainter(contrast, part.scaled(sharpness * Math
+				.min(size.width / (double) part.width(), size.height / (double) part.height())));
+		}
+
+		/**
+		 * @param frame from 1
+		 * @param contour what is drawn; empty for the picture alone
+		 * @return the part of the frame, with the contour, in pixels of the screen
+		 */
+		public BufferedImage paint(final int frame, final Optional<Polyline> contour) {
+			final BufferedImage picture = painter.paint(movie.frame(frame - 1));
+			contour.ifPresent(c -> {
+				painter.draw(picture, c, colour, LINE * sharpness, 1);
+				painter.mark(picture, c.first(), RING * sharpness);
+			});
+			return picture;
+		}
+	}
+
+	/**
 	 * @param tracks the result
 	 * @param track the filament under review
-	 * @param frame from 1
-	 * @param contour what is drawn; empty for the picture alone
-	 * @param edge largest width and height of the picture on the screen
-	 * @return the part of the frame where the filament is in the movie, with the contour
+	 * @param shown contours that are to be seen
+	 * @param size of the pictures
+	 * @return what paints the part of the movie around these contours, of the same shape for all frames
 	 */
-	public BufferedImage small(final Tracks tracks, final FilamentTrack track, final int frame,
-		final Optional<Polyline> contour, final int edge) {
-		final Viewport part = Viewport.aroundContours(movie, List.of(track));
-		final FramePainter painter = new FramePainter(contrast,
-			part.scaled(Math.min(edge / (double) part.width(), edge / (double) part.height())));
-		final BufferedImage picture = painter.paint(movie.frame(frame - 1));
-		contour.ifPresent(c -> {
-			painter.draw(picture, c, ContourPainter.colour(tracks, track), LINE, 1);
-			painter.mark(picture, c.first(), RING);
-		});
-		return picture;
+	public Small small(final Tracks tracks, final FilamentTrack track, final List<Polyline> shown,
+		final Size size) {
+		return new Small(ContourPainter.colour(tracks, track),
+			Viewport.aroundContours(movie, List.of(track)).closeUp(movie, shown), size);
 	}
 
 	/**

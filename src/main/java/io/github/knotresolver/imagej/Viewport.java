@@ -33,9 +33,13 @@ record Viewport(int x, int y, int width, int height, double scale) {
 	 * if there are none.
 	 */
 	static Viewport aroundContours(final Movie movie, final List<FilamentTrack> filaments) {
+		return around(movie, filaments.stream().flatMap(f -> f.frames().stream())
+			.flatMap(f -> f.contour().stream()).toList());
+	}
+
+	private static Viewport around(final Movie movie, final List<Polyline> contours) {
 		int left = movie.width(), top = movie.height(), right = -1, bottom = -1;
-		for (final Polyline contour : filaments.stream().flatMap(f -> f.frames().stream())
-			.flatMap(f -> f.contour().stream()).toList()) {
+		for (final Polyline contour : contours) {
 			for (int i = 0; i < contour.size(); i++) {
 				left = Math.min(left, (int) Math.floor(contour.x(i)) - MARGIN);
 				right = Math.max(right, (int) Math.ceil(contour.x(i)) + MARGIN);
@@ -50,6 +54,26 @@ record Viewport(int x, int y, int width, int height, double scale) {
 		right = Math.min(movie.width() - 1, right);
 		bottom = Math.min(movie.height() - 1, bottom);
 		return new Viewport(left, top, right - left + 1, bottom - top + 1, 1);
+	}
+
+	/**
+	 * @param movie the movie
+	 * @param contours some of its contours
+	 * @return a part of this shape with these contours in its middle, no larger than this; this if
+	 *         there are none, or they need more room
+	 */
+	Viewport closeUp(final Movie movie, final List<Polyline> contours) {
+		final Viewport near = around(movie, contours);
+		final double share = Math.max(near.width / (double) width, near.height / (double) height);
+		if (contours.isEmpty() || share >= 1)
+			return this;
+		final int across = (int) Math.ceil(share * width), down = (int) Math.ceil(share * height);
+		return new Viewport(inside(near.x + (near.width - across) / 2, across, movie.width()),
+			inside(near.y + (near.height - down) / 2, down, movie.height()), across, down, scale);
+	}
+
+	private static int inside(final int start, final int size, final int whole) {
+		return Math.max(0, Math.min(whole - size, start));
 	}
 
 	/** @return the same part at another scale */

@@ -52,7 +52,7 @@ public final class NumberText {
 	 * @param digits how many
 	 * @return it with that many significant digits; empty if it is not finite
 	 */
-	static String significant(final double value, final int digits) {
+	public static String significant(final double value, final int digits) {
 		if (!Double.isFinite(value))
 			return "";
 		final BigDecimal rounded = new BigDecimal(value)

@@ -22,6 +22,8 @@ import io.github.knotresolver.options.FrameSelection;
 /** A result in a few lines, for people. */
 public final class RunReport {
 
+	private static final int SPREAD_DIGITS = 2;
+
 	private RunReport() {
 	}
 
@@ -62,7 +64,7 @@ public final class RunReport {
 			+ (Double.isNaN(s.median())
 				? "."
 				: ", median length " + NumberText.significant(s.median()) + unit + " (sd "
-					+ NumberText.significant(s.sd()) + unit + ").");
+					+ NumberText.significant(s.sd(), SPREAD_DIGITS) + unit + ").");
 	}
 
 	private static String line(final MeasuredFilament filament, final Calibration c) {

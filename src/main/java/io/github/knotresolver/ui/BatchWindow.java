@@ -78,6 +78,8 @@ public final class BatchWindow {
 				WindowManager.removeWindow(frame);
 			}
 		});
+		WindowActions.onKey(frame.getRootPane(), "ESCAPE", frame::dispose);
+		GuiFont.scale(frame.getContentPane());
 		frame.pack();
 		Beside.keepOnScreen(frame);
 		WindowManager.addWindow(frame);

@@ -8,13 +8,13 @@ import java.awt.Polygon;
 import java.awt.RenderingHints;
 import java.awt.event.MouseEvent;
 import java.util.HashSet;
-import java.util.Locale;
 import java.util.Set;
 
 import javax.swing.Timer;
 import javax.swing.ToolTipManager;
 
 import io.github.knotresolver.imagej.ReviewPictures;
+import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.ui.model.ReviewModel;
 
 /**
@@ -27,7 +27,10 @@ final class ConfidenceStrip extends MovieStrip {
 	private static final long serialVersionUID = 1L;
 	private static final Color GROUND = new Color(0x2b, 0x2b, 0x2b),
 		NONE = new Color(0x58, 0x58, 0x58), CHANGED = new Color(0x56, 0xb4, 0xe9),
-		CHECKED = new Color(0x56, 0xb4, 0xe9);
+		CHECKED = new Color(0x56, 0xb4, 0xe9), LIMIT = new Color(0xff, 0xff, 0xff, 0x80);
+
+	/** A mark is no larger, however high the strip is. */
+	private static final int MARK = 14;
 
 	/** How long a change is seen to flash. */
 	private static final int FLASHES = 12, FLASH_MILLIS = 80;
@@ -75,7 +78,7 @@ final class ConfidenceStrip extends MovieStrip {
 		return "frame " + frame
 			+ (Double.isNaN(confidence)
 				? model.isLeftOut(frame) ? ": left out, or not in view" : ": no contour"
-				: String.format(Locale.ROOT, ": confidence %.2f", confidence));
+				: ": confidence " + ReviewWords.confidence(confidence));
 	}
 
 	@Override
@@ -87,7 +90,7 @@ final class ConfidenceStrip extends MovieStrip {
 		final double[] confidences = model.confidences();
 		final Set<Integer> doubtful = new HashSet<>(model.doubtful()),
 			changed = new HashSet<>(model.changed());
-		final int mark = Math.max(6, getHeight() / 8);
+		final int mark = Math.max(6, Math.min(getHeight() / 8, MARK));
 		for (int frame = 1; frame <= confidences.length; frame++) {
 			final int left = left(frame), width = Math.max(1, left(frame + 1) - left);
 			if (changed.contains(frame)) {
@@ -107,6 +110,7 @@ final class ConfidenceStrip extends MovieStrip {
 				g.fillRect(middle - mark / 3, getHeight() - mark + 2, 2 * mark / 3, 2 * mark / 3);
 			}
 		}
+		paintLimit(g, mark);
 		paintPlace(g);
 		g.dispose();
 	}
@@ -124,6 +128,14 @@ final class ConfidenceStrip extends MovieStrip {
 		final int height = (int) Math.max(2, Math.rint(confidence * room));
 		g.setColor(ReviewPictures.colour(confidence));
 		g.fillRect(left, mark + 1 + room - height, width - gap, height);
+	}
+
+	/** From here on a contour is sure. */
+	private void paintLimit(final Graphics2D g, final int mark) {
+		final int room = getHeight() - 2 * mark - 2,
+			y = mark + 1 + room - (int) Math.rint(Observation.SURE * room);
+		g.setColor(LIMIT);
+		g.drawLine(0, y, getWidth(), y);
 	}
 
 	private static Color mixed(final Color a, final Color b, final double share) {

@@ -8,6 +8,7 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.geom.Point2D;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -104,18 +105,23 @@ final class FigurePanel extends JPanel {
 
 				@Override
 				public void mousePressed(final MouseEvent e) {
-					figure.frameAt(e.getPoint()).ifPresent(goTo);
+					frameAt(e).ifPresent(goTo);
 				}
 
 				@Override
 				public void mouseMoved(final MouseEvent e) {
-					setCursor(Cursor.getPredefinedCursor(figure.frameAt(e.getPoint()).isPresent()
+					setCursor(Cursor.getPredefinedCursor(frameAt(e).isPresent()
 						? Cursor.HAND_CURSOR
 						: Cursor.DEFAULT_CURSOR));
 				}
 			};
 			addMouseListener(mouse);
 			addMouseMotionListener(mouse);
+		}
+
+		private OptionalInt frameAt(final MouseEvent e) {
+			final double scale = GuiFont.factor();
+			return figure.frameAt(new Point2D.Double(e.getX() / scale, e.getY() / scale));
 		}
 
 		@Override
@@ -126,14 +132,17 @@ final class FigurePanel extends JPanel {
 
 		@Override
 		public String getToolTipText(final MouseEvent e) {
-			final OptionalInt at = figure.frameAt(e.getPoint());
+			final OptionalInt at = frameAt(e);
 			return at.isPresent() ? "frame " + at.getAsInt() + ": click to see it" : null;
 		}
 
 		@Override
 		protected void paintComponent(final Graphics g) {
 			final Graphics2D own = (Graphics2D) g.create();
-			figure.draw(own, getWidth(), getHeight(), frame);
+			// Its words grow with those around it.
+			final double scale = GuiFont.factor();
+			own.scale(scale, scale);
+			figure.draw(own, (int) (getWidth() / scale), (int) (getHeight() / scale), frame);
 			own.dispose();
 		}
 	}

@@ -103,9 +103,10 @@ public final class FormDialog {
 	private void open(final Optional<String> problem, final boolean modal) {
 		problem.ifPresent(this::show);
 		changed();
+		GuiFont.scale(window.getContentPane());
 		window.pack();
-		GUI.scale(window);
 		grow();
+		window.setMinimumSize(window.getSize());
 		companion.flatMap(FormCompanion::beside).ifPresentOrElse(
 			other -> Beside.place(window, other), () -> GUI.centerOnImageJScreen(window));
 		window.setModal(modal);

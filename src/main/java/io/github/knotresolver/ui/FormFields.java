@@ -114,11 +114,10 @@ final class FormFields implements ImageListener, AutoCloseable {
 		advanced.setPreferredSize(null);
 		final Dimension size = advanced.getPreferredSize();
 		final int most = (int) (SHARE * GUI.getMaxWindowBounds(panel).height);
-		if (size.height > most) {
-			final int bar = ((JScrollPane) advanced).getVerticalScrollBar()
-				.getPreferredSize().width;
-			advanced.setPreferredSize(new Dimension(size.width + bar, most));
-		}
+		// With room for the bar, also if a person makes the window lower later.
+		final int bar = ((JScrollPane) advanced).getVerticalScrollBar().getPreferredSize().width;
+		advanced
+			.setPreferredSize(new Dimension(size.width + bar, Math.min(size.height, most)));
 		advanced.setVisible(wanted);
 		tell();
 		resized.run();

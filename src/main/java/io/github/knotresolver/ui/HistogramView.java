@@ -2,6 +2,7 @@ package io.github.knotresolver.ui;
 
 import java.awt.Color;
 import java.awt.Dimension;
+import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.util.Locale;
@@ -20,6 +21,8 @@ final class HistogramView extends JComponent {
 	private static final Color GROUND = new Color(0x2b, 0x2b, 0x2b),
 		BARS = new Color(0x9a, 0x9a, 0x9a), SET = new Color(0xf0, 0xe4, 0x42),
 		AUTOMATIC = new Color(0x56, 0xb4, 0xe9);
+	private static final String DARK = "0: dark", BRIGHT = "1: bright";
+	private static final int GAP = 3;
 
 	private final transient TuneModel model;
 
@@ -58,6 +61,10 @@ final class HistogramView extends JComponent {
 				height = (int) (getHeight() * Math.log1p(counts[i]) / Math.log1p(most));
 			g.fillRect(left, getHeight() - height, right - left, height);
 		}
+		g.setColor(Color.WHITE);
+		final FontMetrics words = g.getFontMetrics();
+		g.drawString(DARK, GAP, GAP + words.getAscent());
+		g.drawString(BRIGHT, getWidth() - GAP - words.stringWidth(BRIGHT), GAP + words.getAscent());
 		model.automatic().ifPresent(t -> {
 			final int x = (int) (t * getWidth()), size = Math.max(5, getHeight() / 8);
 			g.setColor(AUTOMATIC);

@@ -100,11 +100,13 @@ public final class MeasureWindow {
 				WindowManager.removeWindow(window);
 			}
 		});
+		WindowActions.onKey(window.getRootPane(), "ESCAPE", window::dispose);
+		GuiFont.scale(all);
 		window.pack();
 		final Dimension screen = GUI.getMaxWindowBounds(window).getSize();
 		window.setSize(Math.min(screen.width, window.getWidth()),
 			Math.min(screen.height, window.getHeight()));
-		window.setMinimumSize(new Dimension(2 * window.getWidth() / 3, 3 * window.getHeight() / 4));
+		window.setMinimumSize(new Dimension(2 * window.getWidth() / 3, 9 * window.getHeight() / 10));
 		if (WindowManager.getFrame(window.getTitle()) instanceof JFrame earlier) {
 			window.setLocation(earlier.getLocation());
 			WindowManager.removeWindow(earlier);
@@ -140,6 +142,9 @@ public final class MeasureWindow {
 		final JTable table = new JTable(model(values));
 		table.setName("table");
 		table.setAutoResizeMode(JTable.AUTO_RESIZE_OFF);
+		GuiFont.scale(table);
+		GuiFont.scale(table.getTableHeader());
+		table.setRowHeight(table.getFontMetrics(table.getFont()).getHeight() + 2);
 		table.getSelectionModel().addListSelectionListener(e -> {
 			if (!e.getValueIsAdjusting() && table.getSelectedRow() >= 0)
 				goTo(item.filament, table.getSelectedRow() + 1, panels);

@@ -13,9 +13,11 @@ import java.util.stream.IntStream;
 
 import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
+import javax.swing.SwingConstants;
 import javax.swing.SwingUtilities;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.TableColumn;
 
 import io.github.knotresolver.imagej.SmallPicture;
 import io.github.knotresolver.ui.model.BatchTable;
@@ -51,10 +53,24 @@ final class OutcomesTable extends JTable {
 		setAutoCreateRowSorter(true);
 		setAutoResizeMode(AUTO_RESIZE_LAST_COLUMN);
 		setDefaultRenderer(BufferedImage.class, new Picture());
+		setDefaultRenderer(String.class, new Word(SwingConstants.LEFT));
+		setDefaultRenderer(Integer.class, new Word(SwingConstants.RIGHT));
+		getColumnModel().getColumn(BatchTable.LENGTH)
+			.setCellRenderer(new Word(SwingConstants.RIGHT));
 		getColumnModel().getColumn(MESSAGE).setCellRenderer(new Message());
+		setIntercellSpacing(new Dimension(2 * GAP, 1));
+		GuiFont.scale(this);
+		GuiFont.scale(getTableHeader());
 		final int line = line();
-		for (int c = 0; c < WIDTHS.length; c++)
-			getColumnModel().getColumn(c).setPreferredWidth(WIDTHS[c] * line / FONT);
+		for (int c = 0; c < WIDTHS.length; c++) {
+			final TableColumn column = getColumnModel().getColumn(c);
+			column.setPreferredWidth(WIDTHS[c] * line / FONT);
+			// More room is for names and messages, and less is theirs.
+			if (c != 0 && c != MESSAGE) {
+				column.setMinWidth(column.getPreferredWidth());
+				column.setMaxWidth(column.getPreferredWidth());
+			}
+		}
 		final boolean drawn = IntStream.range(0, outcomes.size())
 			.anyMatch(row -> outcomes.picture(row).isPresent());
 		setRowHeight((drawn ? PICTURE_LINES * line : line) + GAP);
@@ -141,6 +157,17 @@ final class OutcomesTable extends JTable {
 				return pictures.get(row);
 			final Object cell = outcomes.cell(row, column);
 			return BatchTable.isNumber(column) && cell.equals("") ? null : cell;
+		}
+	}
+
+	/** In the first line of its row, beside the first of a message. */
+	private static final class Word extends DefaultTableCellRenderer {
+
+		private static final long serialVersionUID = 1L;
+
+		Word(final int alignment) {
+			setHorizontalAlignment(alignment);
+			setVerticalAlignment(TOP);
 		}
 	}
 

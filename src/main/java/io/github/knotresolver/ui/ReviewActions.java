@@ -1,6 +1,5 @@
 package io.github.knotresolver.ui;
 
-import java.awt.FlowLayout;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -139,14 +138,15 @@ final class ReviewActions {
 	private static final class Row {
 
 		private final JRootPane root;
-		private final JPanel panel = new JPanel(new FlowLayout(FlowLayout.LEFT, GAP, GAP / 2));
+		private final JPanel panel = new JPanel(new Wrapping(GAP, GAP / 2));
 
 		Row(final JRootPane root) {
 			this.root = root;
 		}
 
 		void add(final String words, final String key, final String help, final Runnable action) {
-			final JButton button = new JButton(words);
+			// As ImageJ's ROI Manager names its keys.
+			final JButton button = new JButton(words + " [" + key.toLowerCase(Locale.ROOT) + "]");
 			button.setName(words);
 			// The space bar accepts, wherever one clicked last.
 			button.setFocusable(false);

@@ -3,9 +3,9 @@ package io.github.knotresolver.ui;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
-import java.util.ArrayList;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
@@ -24,11 +24,6 @@ import javax.swing.SwingUtilities;
 
 import ij.ImagePlus;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.imagej.ReviewPictures;
-import io.github.knotresolver.model.Alternative;
-import io.github.knotresolver.model.FilamentTrack;
-import io.github.knotresolver.model.Observation;
-import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.ui.model.ReviewModel;
 
@@ -38,7 +33,8 @@ import io.github.knotresolver.ui.model.ReviewModel;
  */
 public final class ReviewWindow {
 
-	private static final int NEIGHBOURS = 2;
+	/** Of the height that a person gives the window, what each of two rows of pictures takes. */
+	private static final double SHARE = 0.4;
 
 	/** The windows that are open, by their image. */
 	private static final Map<ImagePlus, ReviewWindow> OPEN = new ConcurrentHashMap<>();
@@ -47,7 +43,6 @@ public final class ReviewWindow {
 	private final ReviewModel model;
 	private final ImagePlus image;
 	private final Runnable closed;
-	private final ReviewPictures pictures;
 	private final ImageLink link;
 	private final JFrame window;
 	private final ImageKeys keys;
@@ -55,10 +50,10 @@ public final class ReviewWindow {
 	private final JTextArea frame = new JTextArea(2, 40);
 	private final ConfidenceStrip strip;
 	private final MeetingStrip meetings;
-	private final Thumbnails alternatives = new Thumbnails(this::hover),
-		neighbours = new Thumbnails(contour -> {
-		});
+	private final FrameViews views;
 	private final AtomicInteger saving = new AtomicInteger();
+	/** Of the window, as it was made last, and what a person added to its height. */
+	private int width, height, extra;
 	private boolean gone;
 
 	private ReviewWindow(final ReviewedResult result, final ImagePlus image,
@@ -67,9 +62,9 @@ public final class ReviewWindow {
 		this.image = image;
 		this.closed = closed;
 		model = result.model();
-		pictures = new ReviewPictures(model.movie());
 		strip = new ConfidenceStrip(model);
 		meetings = new MeetingStrip(model);
+		views = new FrameViews(model, this::hover);
 		link = new ImageLink(image, result.channel(), model, () -> leave(false));
 		window = new JFrame("Review " + result.name());
 		keys = new ImageKeys(image, window.getRootPane());
@@ -130,7 +125,7 @@ public final class ReviewWindow {
 		final JPanel middle = new JPanel();
 		middle.setLayout(new BoxLayout(middle, BoxLayout.Y_AXIS));
 		for (final Component part : List.of(frame, new JLabel("Alternatives, cheapest first"),
-			alternatives, new JLabel("Neighbours"), neighbours,
+			views.alternatives(), new JLabel("Neighbours"), views.neighbours(),
 			new ReviewActions(model, image, this::say, this::save).in(window.getRootPane()))) {
 			((JComponent) part).setAlignmentX(Component.LEFT_ALIGNMENT);
 			middle.add(part);
@@ -141,7 +136,10 @@ public final class ReviewWindow {
 		below.add(status, BorderLayout.SOUTH);
 		final JPanel all = new JPanel(new BorderLayout(4, 4));
 		all.setBorder(BorderFactory.createEmptyBorder(8, 8, 8, 8));
-		all.add(headline, BorderLayout.NORTH);
+		final JPanel above = new JPanel(new BorderLayout(4, 4));
+		above.add(headline, BorderLayout.NORTH);
+		above.add(new JLabel(ReviewWords.LEGEND), BorderLayout.SOUTH);
+		all.add(above, BorderLayout.NORTH);
 		final JPanel strips = new JPanel(new BorderLayout());
 		strips.add(strip, BorderLayout.CENTER);
 		strips.add(meetings, BorderLayout.SOUTH);
@@ -150,10 +148,23 @@ public final class ReviewWindow {
 		window.setContentPane(all);
 		WindowActions.onClosing(window, () -> leave(true));
 		model.listen(new Soon(this::refresh));
+		GuiFont.scale(all);
 		refresh();
 		window.pack();
+		Beside.keepOnScreen(window);
+		width = window.getWidth();
+		height = window.getHeight();
+		window.setMinimumSize(new Dimension(window.getWidth() / 2, height));
 		Beside.place(window, image.getWindow());
 		window.setVisible(true);
+		window.addComponentListener(new ComponentAdapter() {
+
+			@Override
+			public void componentResized(final ComponentEvent e) {
+				if (window.getHeight() != height || window.getWidth() != width)
+					resized();
+			}
+		});
 	}
 
 	private void say(final String sentence) {
@@ -173,47 +184,30 @@ public final class ReviewWindow {
 		if (saving.get() == 0)
 			status.setText(ReviewWords.status(model, result.isChanged()));
 		link.show(Optional.empty());
-		model.track().ifPresent(t -> showPictures(model.tracks().orElseThrow(), t));
+		model.track().ifPresent(t -> views.refresh(t, SHARE * extra));
 		strip.refresh();
 		meetings.refresh();
-	}
-
-	private void showPictures(final Tracks tracks, final FilamentTrack track) {
-		final int edge = 6 * headline.getFontMetrics(headline.getFont()).getHeight();
-		final Observation shown = track.frames().get(model.frame() - 1);
-		final List<Thumbnails.Item> courses = new ArrayList<>(), near = new ArrayList<>();
-		courses.add(new Thumbnails.Item("alternative 1", "1: as shown",
-			pictures.small(tracks, track, shown.frame(), shown.contour(), edge), true,
-			Optional.empty(), model::accept));
-		final List<Alternative> others = shown.alternatives();
-		for (int i = 0; i < Math.min(ReviewActions.MOST_ALTERNATIVES, others.size()); i++) {
-			final int index = i;
-			final Optional<Polyline> contour = Optional.of(others.get(i).contour());
-			courses.add(new Thumbnails.Item("alternative " + (i + 2),
-				String.format(Locale.ROOT, "%d: %+.1f", i + 2, others.get(i).cost() - shown.cost()),
-				pictures.small(tracks, track, shown.frame(), contour, edge), false, contour,
-				() -> model.take(index)));
-		}
-		for (int f = model.frame() - NEIGHBOURS; f <= model.frame() + NEIGHBOURS; f++)
-			if (f >= 1 && f <= model.movie().size()) {
-				final int other = f;
-				near.add(new Thumbnails.Item("frame " + f, Integer.toString(f),
-					pictures.small(tracks, track, f, track.frames().get(f - 1).contour(), edge),
-					f == model.frame(), Optional.empty(), () -> model.goTo(other)));
-			}
-		alternatives.show(courses);
-		neighbours.show(near);
 		grow();
 	}
 
-	/** As large as its contents need, and within the screen. */
+	/** As high as its contents need, and within the screen. */
 	private void grow() {
-		final Dimension wanted = window.getPreferredSize();
-		if (!window.isVisible()
-			|| wanted.height <= window.getHeight() && wanted.width <= window.getWidth())
+		final int wanted = window.getPreferredSize().height;
+		if (!window.isVisible() || wanted <= window.getHeight())
 			return;
-		Beside.resize(window, Math.max(wanted.width, window.getWidth()),
-			Math.max(wanted.height, window.getHeight()));
+		Beside.resize(window, window.getWidth(), wanted);
+		width = window.getWidth();
+		height = window.getHeight();
+	}
+
+	/** What a person gives in height is for strip and pictures. */
+	private void resized() {
+		extra = Math.max(0, extra + window.getHeight() - height);
+		width = window.getWidth();
+		height = window.getHeight();
+		window.validate();
+		Wrapping.countAnew(window.getContentPane());
+		refresh();
 	}
 
 	/** Once the key's letter has arrived, which would be the name of the folder otherwise. */

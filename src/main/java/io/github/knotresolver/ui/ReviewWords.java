@@ -11,6 +11,11 @@ import io.github.knotresolver.ui.model.ReviewModel;
 /** What a review says in words. */
 final class ReviewWords {
 
+	/** What the strip shows. */
+	static final String LEGEND = "Confidence of each frame (line: 0.9); triangle: doubtful; square: checked; click: go there";
+
+	private static final double LEAST = 0.005;
+
 	private ReviewWords() {
 	}
 
@@ -28,9 +33,19 @@ final class ReviewWords {
 					: String.format(Locale.ROOT, " ± %.2f", track.lengthError() * pixel),
 				model.movie().calibration().unit());
 		return "filament " + track.id() + " of " + model.tracks().orElseThrow().filaments().size()
-			+ length + "   " + track.anchor().label() + "   " + track.resolved() + " resolved, "
-			+ model.doubtful().size() + " doubtful, " + without(track.frames())
-			+ " without a contour";
+			+ length + "   " + track.anchor().label() + "   " + right(model, track) + " right, "
+			+ doubtful(model, track) + " doubtful, " + without(track.frames()) + " lost";
+	}
+
+	/** Sure, corrected, or checked by a person. */
+	private static long right(final ReviewModel model, final FilamentTrack track) {
+		return track.frames().stream().filter(o -> o.contour().isPresent()).count()
+			- doubtful(model, track);
+	}
+
+	private static long doubtful(final ReviewModel model, final FilamentTrack track) {
+		return model.doubtful().stream().map(f -> track.frames().get(f - 1))
+			.filter(o -> o.contour().isPresent()).count();
 	}
 
 	private static long without(final List<Observation> frames) {
@@ -56,12 +71,19 @@ final class ReviewWords {
 		return reason.isEmpty() ? "" : "   because: " + reason.replaceFirst("^Doubtful: ", "");
 	}
 
+	/** Never 0 of what is more than that. */
+	static String confidence(final double value) {
+		return value > 0 && value < LEAST
+			? "below 0.01"
+			: String.format(Locale.ROOT, "%.2f", value);
+	}
+
 	/** The frame in one line. */
 	static String frame(final ReviewModel model) {
 		return model.shown().map(o -> {
 			final String sure = Double.isNaN(o.confidence())
 				? ""
-				: String.format(Locale.ROOT, "   confidence %.2f", o.confidence());
+				: "   confidence " + confidence(o.confidence());
 			return "frame " + o.frame() + "   " + o.status().label() + sure
 				+ (model.isChecked(o.frame()) ? "   checked" : "") + because(o.reason());
 		}).orElse("frame " + model.frame());

@@ -106,13 +106,13 @@ public final class RunWindow implements ImageListener, AutoCloseable {
 	}
 
 	private void open() {
+		GuiFont.scale(window.getContentPane());
 		final int em = line.getFontMetrics(line.getFont()).getHeight();
 		window.getContentPane().setPreferredSize(null);
 		final var size = window.getContentPane().getPreferredSize();
 		size.width = Math.max(size.width, 26 * em);
 		window.getContentPane().setPreferredSize(size);
 		window.pack();
-		GUI.scale(window);
 		if (!window.isVisible()) {
 			if (image.getWindow() == null)
 				GUI.centerOnImageJScreen(window);

@@ -32,6 +32,7 @@ final class Sentences extends JPanel {
 	/** Adds what is wrong. */
 	void add(final String sentence) {
 		add(new Lines("\u2716 " + sentence, WRONG));
+		GuiFont.scale(this);
 		revalidate();
 	}
 
@@ -51,6 +52,7 @@ final class Sentences extends JPanel {
 			return false;
 		removeAll();
 		wanted.forEach(n -> add(new Lines(n, getForeground())));
+		GuiFont.scale(this);
 		revalidate();
 		repaint();
 		return true;

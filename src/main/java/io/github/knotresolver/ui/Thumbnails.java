@@ -1,8 +1,10 @@
 package io.github.knotresolver.ui;
 
 import java.awt.Color;
+import java.awt.Component;
 import java.awt.Cursor;
-import java.awt.FlowLayout;
+import java.awt.Graphics;
+import java.awt.GraphicsConfiguration;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
@@ -10,7 +12,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 import javax.swing.BorderFactory;
-import javax.swing.ImageIcon;
+import javax.swing.Icon;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingConstants;
@@ -28,12 +30,13 @@ final class Thumbnails extends JPanel {
 	 *
 	 * @param name of the component
 	 * @param words below it
-	 * @param picture it
+	 * @param help what it is, and what a click does
+	 * @param picture it, in pixels of the screen
 	 * @param marked whether it is the present one
 	 * @param contour what is drawn on the image while the mouse is over it
 	 * @param click what a click does
 	 */
-	record Item(String name, String words, BufferedImage picture, boolean marked,
+	record Item(String name, String words, String help, BufferedImage picture, boolean marked,
 		Optional<Polyline> contour, Runnable click) {
 	}
 
@@ -41,22 +44,30 @@ final class Thumbnails extends JPanel {
 
 	/** @param hover told the contour of the picture that the mouse is over */
 	Thumbnails(final Consumer<Optional<Polyline>> hover) {
-		super(new FlowLayout(FlowLayout.LEFT, 4, 2));
+		super(new Wrapping(4, 2));
 		this.hover = hover;
+	}
+
+	/** @return pixels of the screen for a pixel of this window */
+	double sharpness() {
+		final GraphicsConfiguration screen = getGraphicsConfiguration();
+		return screen == null ? 1 : screen.getDefaultTransform().getScaleX();
 	}
 
 	/** Shows other pictures. */
 	void show(final Iterable<Item> items) {
 		removeAll();
 		items.forEach(this::add);
+		GuiFont.scale(this);
 		revalidate();
 		repaint();
 	}
 
 	private void add(final Item item) {
-		final JLabel label = new JLabel(item.words, new ImageIcon(item.picture),
+		final JLabel label = new JLabel(item.words, new Sharp(item.picture, sharpness()),
 			SwingConstants.CENTER);
 		label.setName(item.name);
+		label.setToolTipText(item.help);
 		label.setVerticalTextPosition(SwingConstants.BOTTOM);
 		label.setHorizontalTextPosition(SwingConstants.CENTER);
 		label.setBorder(BorderFactory.createLineBorder(item.marked ? FRAME : getBackground(), 2));
@@ -79,5 +90,24 @@ final class Thumbnails extends JPanel {
 			}
 		});
 		add(label);
+	}
+
+	/** A picture that has all pixels of the screen, also where the window has fewer. */
+	private record Sharp(BufferedImage picture, double sharpness) implements Icon {
+
+		@Override
+		public int getIconWidth() {
+			return (int) Math.rint(picture.getWidth() / sharpness);
+		}
+
+		@Override
+		public int getIconHeight() {
+			return (int) Math.rint(picture.getHeight() / sharpness);
+		}
+
+		@Override
+		public void paintIcon(final Component c, final Graphics g, final int x, final int y) {
+			g.drawImage(picture, x, y, getIconWidth(), getIconHeight(), null);
+		}
 	}
 }

@@ -47,6 +47,8 @@ final class TuneValues {
 			new SpinnerNumberModel(0.4, -1, 1, 0.05));
 		spinner(grid, "smooth_factor", "Smooth factor", "How smooth the outline becomes",
 			new SpinnerNumberModel(0.2, 0, 10, 0.1));
+		grid.add(new JLabel());
+		grid.add(new JLabel());
 		spinner(grid, "log_size", "LoG size (px; 0: off)",
 			"Edge of a Laplacian of Gaussian for uneven background: odd, 3 to 99",
 			new SpinnerNumberModel(0, 0, 99, 1));

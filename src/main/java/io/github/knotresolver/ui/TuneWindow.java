@@ -1,6 +1,7 @@
 package io.github.knotresolver.ui;
 
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.FlowLayout;
 import java.io.File;
 import java.io.IOException;
@@ -26,7 +27,6 @@ import javax.swing.SwingUtilities;
 
 import ij.ImageListener;
 import ij.ImagePlus;
-import ij.gui.GUI;
 import io.github.knotresolver.imagej.ImageFile;
 import io.github.knotresolver.imagej.LookOverlay;
 import io.github.knotresolver.io.Failure;
@@ -109,9 +109,14 @@ public final class TuneWindow implements ImageListener {
 		ImagePlus.addImageListener(this);
 		model.listen(new Soon(this::refresh));
 		refresh();
+		GuiFont.scale(all);
+		// In a larger window histogram and strip are higher, and nothing else is.
+		for (final Component part : all.getComponents())
+			if (part != histogram && part != strip)
+				part.setMaximumSize(
+					new Dimension(Short.MAX_VALUE, part.getPreferredSize().height));
 		window.pack();
-		GUI.scale(window);
-		window.pack();
+		window.setMinimumSize(window.getSize());
 		Beside.place(window, image.getWindow());
 		window.setVisible(true);
 	}

@@ -125,6 +125,7 @@ final class DialogsMain {
 		scenes.putAll(PreviewScenes.scenes());
 		scenes.putAll(RunScenes.scenes());
 		scenes.putAll(TuneScenes.scenes());
+		scenes.putAll(WindowScenes.scenes(home));
 		return scenes;
 	}
 

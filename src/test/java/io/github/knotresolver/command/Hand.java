@@ -3,13 +3,16 @@ package io.github.knotresolver.command;
 import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Image;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.Window;
 import java.awt.event.InputEvent;
+import java.awt.image.RenderedImage;
 import java.io.File;
 import java.io.IOException;
+import java.util.List;
 import java.util.concurrent.Callable;
 
 import javax.imageio.ImageIO;
@@ -120,9 +123,10 @@ final class Hand extends Robot {
 		waitForIdle();
 	}
 
-	/** What is on a part of the screen, as PNG. */
+	/** What is on a part of the screen, as PNG, in all pixels that the screen has. */
 	void picture(final Rectangle part, final File file) throws IOException {
 		waitForIdle();
-		ImageIO.write(createScreenCapture(part), "png", file);
+		final List<Image> all = createMultiResolutionScreenCapture(part).getResolutionVariants();
+		ImageIO.write((RenderedImage) all.get(all.size() - 1), "png", file);
 	}
 }

@@ -99,7 +99,7 @@ final class ReviewMain {
 		window = (JFrame) Windows.frame("Review " + result.getFileName());
 		try {
 			Windows.await("result",
-				() -> label("headline").contains("resolved") && label("status").isBlank());
+				() -> label("headline").contains(" right, ") && label("status").isBlank());
 		} catch (final AssertionError e) {
 			throw new AssertionError(label("headline") + "; " + label("status"), e);
 		}

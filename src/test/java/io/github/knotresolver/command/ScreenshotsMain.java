@@ -7,7 +7,6 @@ import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.io.File;
-import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
 
@@ -36,19 +35,18 @@ final class ScreenshotsMain {
 	private static final int STRIP_MILLIS = 8000;
 	private static final double TUNED_THRESHOLD = 0.4, MAGNIFIED = 6;
 
-	private final File folder;
-	private final Hand hand;
+	private final Hand hand = new Hand(40);
+	private final Gallery gallery;
 
-	private ScreenshotsMain(final File folder) throws Exception {
-		this.folder = folder;
-		hand = new Hand(40);
+	private ScreenshotsMain(final File folder, final boolean inSizes) throws Exception {
+		gallery = new Gallery(hand, folder, inSizes);
 	}
 
 	public static void main(final String[] args) throws Exception {
 		final ImageJ imagej = new ImageJ();
 		imagej.setLocation(20, 20);
 		try {
-			new ScreenshotsMain(new File(args[0])).walk(imagej);
+			new ScreenshotsMain(new File(args[0]), args.length > 1).walk(imagej);
 			System.out.println("All as expected.");
 			System.exit(0);
 		} catch (final Throwable e) {
@@ -87,7 +85,7 @@ final class ScreenshotsMain {
 			hand.key(key);
 			pause();
 		}
-		capture("menu.png", new Rectangle(0, 0, 930, 420));
+		gallery.take("menu.png", new Rectangle(0, 0, 930, 420));
 		for (int i = 0; i < 4; i++)
 			hand.key(KeyEvent.VK_ESCAPE);
 	}
@@ -106,11 +104,12 @@ final class ScreenshotsMain {
 			image.getWindow().getY());
 		Windows.await("overlay", () -> image.getOverlay() != null);
 		front(dialog);
-		capture("resolve-dialog.png", dialog.getBounds().union(image.getWindow().getBounds()));
+		gallery.take("resolve-dialog.png",
+			dialog.getBounds().union(image.getWindow().getBounds()), dialog);
 		Windows.onEvents(((AbstractButton) Windows.find(dialog, "Advanced"))::doClick);
 		Windows.await("advanced", () -> Windows.find(dialog, "threshold").isShowing());
 		front(dialog);
-		capture("resolve-advanced.png", dialog.getBounds());
+		gallery.take("resolve-advanced.png", dialog.getBounds(), dialog);
 		Windows.press(dialog, CANCEL);
 		Windows.await("end", () -> !dialog.isShowing() && image.getOverlay() == null);
 	}
@@ -129,7 +128,7 @@ final class ScreenshotsMain {
 		front(window);
 		// The strip fills from the present frame outwards.
 		Thread.sleep(STRIP_MILLIS);
-		capture("tune.png", window.getBounds().union(image.getWindow().getBounds()));
+		gallery.take("tune.png", window.getBounds().union(image.getWindow().getBounds()), window);
 		Windows.press(window, "Close");
 		Windows.await("end", () -> !window.isShowing() && image.getOverlay() == null);
 	}
@@ -171,7 +170,7 @@ final class ScreenshotsMain {
 		place("ROI Manager", 605, 650, 230, 220);
 		Windows.frame("Resolved " + image.getTitle()).setLocation(110, 530);
 		Thread.sleep(1000);
-		capture("result.png", new Rectangle(0, 0, 1440, 1000));
+		gallery.take("result.png", new Rectangle(0, 0, 1440, 1000));
 		if (RoiManager.getRoiManager().getCount() == 0)
 			throw new IllegalStateException("There is no ROI.");
 		final String recorded = Recorder.getInstance().getText();
@@ -197,7 +196,7 @@ final class ScreenshotsMain {
 		Windows.start(command);
 		final Dialog dialog = Windows.dialog(command);
 		front(dialog);
-		capture(picture, dialog.getBounds());
+		gallery.take(picture, dialog.getBounds(), dialog);
 		Windows.press(dialog, CANCEL);
 		Windows.await("end", () -> !dialog.isShowing());
 	}
@@ -213,9 +212,5 @@ final class ScreenshotsMain {
 
 	private void pause() throws InterruptedException {
 		Thread.sleep(700);
-	}
-
-	private void capture(final String name, final Rectangle part) throws IOException {
-		hand.picture(part, new File(folder, name));
 	}
 }

@@ -35,7 +35,8 @@ import io.github.knotresolver.io.ContourInput;
 /**
  * Walks through review, measurements and batch as a user would, with mouse and keys, and takes the
  * pictures and the film of {@code docs/fiji.md}. Arguments: the folder of the pictures, and one for
- * movies and results. Started by {@code scripts/make-tour}, which gives it a display.
+ * movies and results; and {@code sizes} for pictures of windows in other sizes, too. Started by
+ * {@code scripts/make-tour}, which gives it a display.
  */
 final class TourMain {
 
@@ -45,25 +46,27 @@ final class TourMain {
 	private static final String CLOSE_LOG = "\\Close";
 	private static final double FILM_SCALE = 0.5;
 
-	private final File folder;
 	private final Path home;
 	private final Hand hand;
+	private final Gallery gallery;
 	private final FilmGif film;
 	private Frame window;
 	private ImagePlus image;
 
-	private TourMain(final File folder, final Path home) throws Exception {
-		this.folder = folder;
+	private TourMain(final Gallery gallery, final Hand hand, final Path home) throws Exception {
+		this.gallery = gallery;
+		this.hand = hand;
 		this.home = home;
-		hand = new Hand(40);
-		film = new FilmGif(new File(folder, "review.gif").toPath());
+		film = new FilmGif(gallery.file("review.gif").toPath());
 	}
 
 	public static void main(final String[] args) throws Exception {
 		final ImageJ imagej = new ImageJ();
 		imagej.setLocation(10, 1080);
 		try {
-			new TourMain(new File(args[0]), Path.of(args[1])).walk();
+			final Hand hand = new Hand(40);
+			new TourMain(new Gallery(hand, new File(args[0]), args.length > 2), hand,
+				Path.of(args[1])).walk();
 			System.out.println("All as expected.");
 			System.exit(0);
 		} catch (final Throwable e) {
@@ -96,12 +99,12 @@ final class TourMain {
 		IJ.log(CLOSE_LOG);
 		window.setLocation(10, image.getWindow().getHeight() + 20);
 		Windows.await("ready",
-			() -> find("headline") instanceof JLabel l && l.getText().contains("resolved"));
+			() -> find("headline") instanceof JLabel l && l.getText().contains(" right, "));
 		IJ.setTool(Toolbar.HAND);
 		shot(8);
 		press("Next doubtful");
 		shot(10);
-		capture("review.png", both());
+		gallery.take("review.png", both(), window);
 		while (Windows.named(window, "alternative 2").isEmpty())
 			hand.key(KeyEvent.VK_N);
 		move(find("alternative 2"), 0.5, 0.5);
@@ -167,7 +170,7 @@ final class TourMain {
 		move(find("figure tangent_angle_kymograph"), 0.5, 0.4);
 		hand.click();
 		hand.delay(500);
-		capture("measurements.png", both());
+		gallery.take("measurements.png", both(), window);
 		window.dispose();
 		image.changes = false;
 		image.close();
@@ -189,7 +192,7 @@ final class TourMain {
 		Windows.onEvents(window::toFront);
 		// Small pictures are read in the background.
 		hand.delay(3000);
-		capture("batch.png", window.getBounds());
+		gallery.take("batch.png", window.getBounds(), window);
 	}
 
 	private Rectangle both() {
@@ -242,12 +245,6 @@ final class TourMain {
 		hand.mouseMove(at.x + (int) (across * component.getWidth()),
 			at.y + (int) (down * component.getHeight()));
 		hand.waitForIdle();
-	}
-
-	private void capture(final String name, final Rectangle part) throws Exception {
-		hand.waitForIdle();
-		hand.delay(300);
-		hand.picture(part, new File(folder, name));
 	}
 
 	private Component find(final String name) {

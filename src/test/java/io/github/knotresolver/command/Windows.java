@@ -19,11 +19,13 @@ import java.util.concurrent.Callable;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 
+import javax.swing.AbstractButton;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JSpinner;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 
@@ -213,13 +215,27 @@ final class Windows {
 		throw new AssertionError("The dialog has no field '" + label + "': " + text(dialog));
 	}
 
+	/** Names of what a person fills in or presses and that does not say what it is for. */
+	static List<String> withoutHelp(final Container container) {
+		final List<String> names = new ArrayList<>();
+		for (final Component c : container.getComponents())
+			if (c instanceof JTextField || c instanceof JComboBox || c instanceof JSpinner
+				|| c instanceof AbstractButton button && button.getText() != null
+					&& !button.getText().isBlank()) {
+				if (((JComponent) c).getToolTipText() == null)
+					names.add(c.getClass().getSimpleName() + " " + c.getName());
+			} else if (c instanceof Container inner)
+				names.addAll(withoutHelp(inner));
+		return names;
+	}
+
 	static void onEvents(final Runnable work) throws Exception {
 		EventQueue.invokeAndWait(work);
 	}
 
 	static void press(final Container container, final String label) {
 		all(container, JButton.class).stream()
-			.filter(b -> b.getText().strip().equals(label.strip()))
+			.filter(b -> b.getText() != null && b.getText().strip().equals(label.strip()))
 			.forEach(b -> EventQueue.invokeLater(b::doClick));
 		for (final Button button : all(container, Button.class))
 			if (button.getLabel().strip().equals(label.strip()))

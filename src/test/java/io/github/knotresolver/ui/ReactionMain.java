@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Random;
 
 import com.sun.management.OperatingSystemMXBean;
 
@@ -18,6 +19,7 @@ import ij.ImageJ;
 import ij.ImagePlus;
 import ij.ImageStack;
 import ij.gui.ImageCanvas;
+import ij.gui.Overlay;
 import ij.process.FloatProcessor;
 import io.github.knotresolver.fit.DrawnMovie;
 import io.github.knotresolver.fit.LineModel;
@@ -34,13 +36,14 @@ import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.ui.model.ReviewModel;
 
 /**
- * How fast a review answers: a contour that is dragged is drawn again, and a movie of 120 frames of a
- * knotted filament is solved again after one more word. Started by {@code scripts/reaction-times},
- * which gives it a display.
+ * How fast windows answer: a contour that is dragged in a review is drawn again, a movie of 120 frames of
+ * a knotted filament is solved again after one more word, and the preview of a frame of 512 x 512 pixels
+ * follows a value and the slider. Started by {@code scripts/reaction-times}, which gives it a display.
  */
 final class ReactionMain {
 
-	private static final int FRAMES = 120, WARM = 40, DRAGS = 200, WORDS = 16, STRIDE = 37;
+	private static final int FRAMES = 120, WARM = 40, DRAGS = 200, WORDS = 16, STRIDE = 37,
+		LOOKS = 20, LARGE = 512, GROUND = 40, NOISE = 6;
 
 	private ReactionMain() {
 	}
@@ -58,22 +61,33 @@ final class ReactionMain {
 		}));
 		drags(image, result.model());
 		words(result.model());
+		previews();
 		System.exit(0);
 	}
 
 	private static ImagePlus image() {
-		final Movie drawn = DrawnMovie.draw(DrawnMovie.waves(FRAMES, 80, 3.6), List.of(),
+		return image("drawn", FRAMES, DrawnMovie.SIZE);
+	}
+
+	/** A square image; beyond the drawn movie there is the same noise. */
+	private static ImagePlus image(final String title, final int frames, final int edge) {
+		final Random random = new Random(41);
+		final Movie drawn = DrawnMovie.draw(DrawnMovie.waves(frames, 80, 3.6), List.of(),
 			LineModel.uniform(LineModel.Kind.ADDITIVE, 1.6, 1), 0.05, 41).movie();
-		final ImageStack stack = new ImageStack(DrawnMovie.SIZE, DrawnMovie.SIZE);
-		for (int t = 0; t < FRAMES; t++) {
+		final ImageStack stack = new ImageStack(edge, edge);
+		for (int t = 0; t < frames; t++) {
 			final double[] pixels = Pixels.doubles(drawn.frame(t));
-			final FloatProcessor frame = new FloatProcessor(DrawnMovie.SIZE, DrawnMovie.SIZE);
-			for (int i = 0; i < pixels.length; i++)
-				frame.setf(i, (float) pixels[i]);
+			final FloatProcessor frame = new FloatProcessor(edge, edge);
+			for (int y = 0; y < edge; y++)
+				for (int x = 0; x < edge; x++)
+					frame.setf(x, y,
+						(float) (x < DrawnMovie.SIZE && y < DrawnMovie.SIZE
+							? pixels[y * DrawnMovie.SIZE + x]
+							: GROUND + NOISE * random.nextGaussian()));
 			stack.addSlice(frame);
 		}
-		final ImagePlus image = new ImagePlus("drawn", stack);
-		image.setDimensions(1, 1, FRAMES);
+		final ImagePlus image = new ImagePlus(title, stack);
+		image.setDimensions(1, 1, frames);
 		image.setDisplayRange(0, 300);
 		return image;
 	}
@@ -137,6 +151,53 @@ final class ReactionMain {
 		System.out.printf(Locale.ROOT,
 			"solved again, %d frames: %.0f ms (median of %d), %.0f ms (the longest); %.0f ms of processors' time (median).%n",
 			FRAMES, millis[WORDS / 2], WORDS, millis[WORDS - 1], busy[WORDS / 2]);
+	}
+
+	/** From a value, or a frame, until mask, skeleton and course are drawn on the image. */
+	private static void previews() throws Exception {
+		final ImagePlus image = image("large", LOOKS, LARGE);
+		ImageView.show(image);
+		final PreviewBox box = new PreviewBox();
+		EventQueue.invokeAndWait(() -> {
+			box.panel(() -> {
+			});
+			box.changed(Map.of("image", "large"));
+		});
+		await(image, null);
+		final double[] values = new double[LOOKS], frames = new double[LOOKS];
+		for (int i = -LOOKS / 2; i < LOOKS; i++) {
+			final String threshold = Double.toString(0.3 + 0.02 * Math.floorMod(i, 20));
+			final double value = millis(image, () -> EventQueue
+				.invokeLater(() -> box.changed(Map.of("image", "large", "threshold", threshold))));
+			final int slice = 1 + Math.floorMod(i, LOOKS);
+			final double frame = millis(image, () -> image.setSlice(slice));
+			if (i >= 0) {
+				values[i] = value;
+				frames[i] = frame;
+			}
+		}
+		EventQueue.invokeAndWait(box::close);
+		Arrays.sort(values);
+		Arrays.sort(frames);
+		System.out.printf(Locale.ROOT,
+			"preview, %d x %d pixels: %.0f ms after a value, %.0f ms after a frame (medians of %d), %.0f ms (the longest).%n",
+			LARGE, LARGE, values[LOOKS / 2], frames[LOOKS / 2], LOOKS,
+			Math.max(values[LOOKS - 1], frames[LOOKS - 1]));
+	}
+
+	private static double millis(final ImagePlus image, final Runnable change)
+		throws InterruptedException {
+		final Overlay before = image.getOverlay();
+		final long start = System.nanoTime();
+		change.run();
+		await(image, before);
+		return (System.nanoTime() - start) / 1e6;
+	}
+
+	private static void await(final ImagePlus image, final Overlay before)
+		throws InterruptedException {
+		while (image.getOverlay() == before)
+			Thread.sleep(1);
 	}
 
 	private static long cpu() {

@@ -20,11 +20,14 @@ import io.github.knotresolver.io.ResultCounts;
 public final class BatchTable {
 
 	/** What the columns of the table are called. */
-	public static final List<String> COLUMNS = List.of("Movie", "State", "By hand", "Resolved",
+	public static final List<String> COLUMNS = List.of("Movie", "State", "By hand", "Right",
 		"Doubtful", "Lost", "Filaments", "Length", "Contours", "Message");
 
 	/** Which of the columns has a picture. */
 	public static final int PICTURE = COLUMNS.indexOf("Contours");
+
+	/** Which of them is a length with its unit. */
+	public static final int LENGTH = COLUMNS.indexOf("Length");
 
 	private static final String OVERLAY = "overlay.png";
 
@@ -94,7 +97,7 @@ public final class BatchTable {
 			case "Movie" -> o.row().name();
 			case "State" -> o.label();
 			case "By hand" -> o.row().byHand() ? "asked for" : "";
-			case "Resolved" -> count(row, ResultCounts::resolved);
+			case "Right" -> count(row, ResultCounts::resolved);
 			case "Doubtful" -> count(row, ResultCounts::doubtful);
 			case "Lost" -> count(row, ResultCounts::lost);
 			case "Filaments" -> count(row, ResultCounts::filaments);
@@ -111,7 +114,7 @@ public final class BatchTable {
 	 * @return whether there are whole numbers in it
 	 */
 	public static boolean isNumber(final int column) {
-		return List.of("Resolved", "Doubtful", "Lost", "Filaments").contains(COLUMNS.get(column));
+		return List.of("Right", "Doubtful", "Lost", "Filaments").contains(COLUMNS.get(column));
 	}
 
 	private Object count(final int row, final Function<ResultCounts, Object> number) {
