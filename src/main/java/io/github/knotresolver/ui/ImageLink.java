@@ -43,6 +43,8 @@ final class ImageLink implements ImageListener, MouseListener, MouseMotionListen
 	private final Overlay before;
 	private Optional<Drag> drag = Optional.empty();
 	private boolean showing;
+	/** The model's frame when the image was made to follow it last. */
+	private int followed;
 
 	/**
 	 * @param image shown in a window
@@ -74,8 +76,11 @@ final class ImageLink implements ImageListener, MouseListener, MouseMotionListen
 	void show(final Optional<Polyline> dashed) {
 		showing = true;
 		try {
-			if (frame(image) != model.frame())
-				goTo(image, channel, model.frame());
+			// The slider may be ahead of what is known here: the image follows the model's steps alone.
+			final int wanted = model.frame();
+			if (wanted != followed && frame(image) != wanted)
+				goTo(image, channel, wanted);
+			followed = wanted;
 			final Overlay overlay = model
 				.shown().flatMap(Observation::contour).map(c -> ReviewPictures
 					.overlay(model.tracks().orElseThrow(), model.track().orElseThrow(), c))

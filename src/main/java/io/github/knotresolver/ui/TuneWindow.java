@@ -52,6 +52,8 @@ public final class TuneWindow implements ImageListener {
 	private final FrameStrip strip;
 	private final TuneValues values;
 	private boolean gone;
+	/** The model's frame when the image was made to follow it last. */
+	private int frame;
 
 	private TuneWindow(final TuneModel model, final ImagePlus image, final int channel,
 		final Consumer<Map<String, String>> use) {
@@ -192,8 +194,12 @@ public final class TuneWindow implements ImageListener {
 			return;
 		values.refresh();
 		line.setText(model.line().isEmpty() ? " " : model.line());
-		if (ImageLink.frame(image) != model.frame())
-			ImageLink.goTo(image, channel, model.frame());
+		// The slider may be ahead of what is known here: the image follows the model's steps alone.
+		if (model.frame() != frame) {
+			frame = model.frame();
+			if (ImageLink.frame(image) != frame)
+				ImageLink.goTo(image, channel, frame);
+		}
 		layer.show(model.look().filter(l -> l.frame() == model.frame()));
 		histogram.repaint();
 		strip.repaint();
