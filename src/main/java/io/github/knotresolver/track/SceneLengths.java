@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 import org.apache.commons.math3.stat.descriptive.rank.Median;
 
@@ -33,10 +34,28 @@ final class SceneLengths {
 	 *
 	 * @param length in pixels
 	 * @param error its standard error in pixels; NaN if no frame told it
-	 * @param changes whether it is another one before some frame than after it: halves of two
-	 *          filaments that have been exchanged show so, however well each frame is explained
+	 * @param step another length before some frame than after it; empty if it stays
 	 */
-	record Length(double length, double error, boolean changes) {
+	record Length(double length, double error, Optional<LengthStep> step) {
+	}
+
+	/**
+	 * Lengths before some frame and after it: halves of two filaments that have been exchanged show
+	 * so, however well each frame is explained.
+	 *
+	 * @param before in pixels
+	 * @param after in pixels
+	 */
+	record LengthStep(double before, double after) {
+
+		private double by() {
+			return after - before;
+		}
+
+		/** Whether one filament gets shorter by what the other gets longer. */
+		boolean balances(final LengthStep other) {
+			return by() * other.by() < 0 && Math.abs(by() + other.by()) < SceneTuning.LENGTH_STEP;
+		}
 	}
 
 	/**
@@ -74,16 +93,22 @@ final class SceneLengths {
 	 * @param clear for each filament and frame whether the light around it is explained
 	 */
 	List<Length> of(final ScenePass pass, final boolean[][] clear, final Workers workers) {
+		return of(pass, IntStream.range(0, pass.filaments()).boxed().toList(), clear, workers);
+	}
+
+	/** The lengths of some filaments, in their order. */
+	List<Length> of(final ScenePass pass, final List<Integer> which, final boolean[][] clear,
+		final Workers workers) {
 		final int n = pass.chains().size(), stride = 1 + (n - 1) / SceneTuning.LENGTH_LOOKS;
 		final List<double[]> found = workers.map((n + stride - 1) / stride,
-			i -> lengths(pass, i * stride, clear));
+			i -> lengths(pass, which, i * stride, clear));
 		final List<Length> all = new ArrayList<>();
-		for (int k = 0; k < pass.filaments(); k++) {
-			final int filament = k;
+		for (final int k : which) {
+			final int filament = which.indexOf(k);
 			final double[] seen = found.stream().mapToDouble(f -> f[filament])
 				.filter(Double::isFinite).toArray();
 			all.add(seen.length < SceneTuning.LENGTH_FEWEST
-				? new Length(pass.chains().get(0).get(k).length(), Double.NaN, false)
+				? new Length(pass.chains().get(0).get(k).length(), Double.NaN, Optional.empty())
 				: length(seen));
 		}
 		return all;
@@ -92,22 +117,23 @@ final class SceneLengths {
 	private static Length length(final double[] seen) {
 		return new Length(new Median().evaluate(seen),
 			scatter(seen) * RobustStatistics.MEDIAN_TO_MEAN_ERROR / Math.sqrt(seen.length),
-			changes(seen));
+			step(seen));
 	}
 
-	/** Whether lengths in order of time are others from somewhere on. */
-	static boolean changes(final double[] seen) {
+	/** The largest step of lengths in order of time that is beyond doubt; empty if none is. */
+	static Optional<LengthStep> step(final double[] seen) {
+		LengthStep largest = new LengthStep(0, 0);
 		for (int from = SceneTuning.LENGTH_ASIDE; from <= seen.length
 			- SceneTuning.LENGTH_ASIDE; from++) {
 			final double[] before = Arrays.copyOf(seen, from);
 			final double[] after = Arrays.copyOfRange(seen, from, seen.length);
-			final double step = Math
-				.abs(new Median().evaluate(after) - new Median().evaluate(before));
-			if (step > SceneTuning.LENGTH_STEP
-				&& step > SceneTuning.LENGTH_CLEARLY * Math.min(scatter(before), scatter(after)))
-				return true;
+			final LengthStep step = new LengthStep(new Median().evaluate(before), new Median().evaluate(after));
+			final double by = Math.abs(step.by());
+			if (by > Math.max(SceneTuning.LENGTH_STEP, Math.abs(largest.by()))
+				&& by > SceneTuning.LENGTH_CLEARLY * Math.min(scatter(before), scatter(after)))
+				largest = step;
 		}
-		return false;
+		return largest.by() == 0 ? Optional.empty() : Optional.of(largest);
 	}
 
 	private static double scatter(final double[] lengths) {
@@ -117,18 +143,21 @@ final class SceneLengths {
 	}
 
 	/** The lengths in a frame; NaN where a filament is not clear. */
-	private double[] lengths(final ScenePass pass, final int t, final boolean[][] clear) {
+	private double[] lengths(final ScenePass pass, final List<Integer> which, final int t,
+		final boolean[][] clear) {
 		final Scene scene = line.scene(t, pass.chains().get(t));
-		final double[] lengths = new double[scene.size()];
+		final double[] lengths = new double[which.size()];
 		Arrays.fill(lengths, Double.NaN);
-		for (int k = 0; k < lengths.length; k++)
+		for (int i = 0; i < lengths.length; i++) {
+			final int k = which.get(i);
 			if (clear[k][t]) {
 				final Chain chain = scene.chain(k);
 				scene.take(k);
-				lengths[k] = scene.window(List.of(chain))
+				lengths[i] = scene.window(List.of(chain))
 					.fit(chain, Optional.empty(), weights.free()).chain().length();
 				scene.put(k, chain);
 			}
+		}
 		return lengths;
 	}
 }

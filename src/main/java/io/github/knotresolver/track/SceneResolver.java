@@ -17,6 +17,7 @@ import io.github.knotresolver.model.AnchorChoice;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.track.SceneLengths.Length;
 import io.github.knotresolver.track.SceneSettler.Settled;
 
 /**
@@ -58,7 +59,15 @@ public final class SceneResolver {
 	public Optional<SceneTracks> resolve(final AnchorChoice anchor) {
 		return solve(anchor != AnchorChoice.FREE).map(s -> {
 			final boolean[][] clear = ScenePass.of(s.filaments).clear(s.line, workers);
-			return SceneTracks.of(s.line, measured(s, clear), clear, anchor);
+			final List<Length> lengths = lengths(s, clear);
+			return new ExchangedHalves(s.line, s.weights, workers, progress)
+				.mended(s.filaments, lengths).map(m -> {
+					final Solved mended = new Solved(s.line, s.weights, m);
+					final boolean[][] again = ScenePass.of(m).clear(s.line, workers);
+					return SceneTracks.of(s.line, measured(m, lengths(mended, again)), again,
+						anchor);
+				}).orElseGet(() -> SceneTracks.of(s.line, measured(s.filaments, lengths), clear,
+					anchor));
 		});
 	}
 
@@ -219,15 +228,19 @@ public final class SceneResolver {
 		PricedPass.sort(passes);
 	}
 
+	private List<Length> lengths(final Solved solved, final boolean[][] clear) {
+		return new SceneLengths(solved.line, solved.weights).of(ScenePass.of(solved.filaments),
+			clear, workers);
+	}
+
 	/** The filaments with standard errors of their lengths, in doubt where a length changes. */
-	private List<Settled> measured(final Solved solved, final boolean[][] clear) {
-		final List<SceneLengths.Length> lengths = new SceneLengths(solved.line, solved.weights)
-			.of(ScenePass.of(solved.filaments), clear, workers);
+	private static List<Settled> measured(final List<Settled> filaments,
+		final List<Length> lengths) {
 		final List<Settled> measured = new ArrayList<>();
 		for (int k = 0; k < lengths.size(); k++) {
-			final Settled f = solved.filaments.get(k);
+			final Settled f = filaments.get(k);
 			final double error = lengths.get(k).error();
-			final double[] gap = lengths.get(k).changes() ? inDoubt(f.gap()) : f.gap();
+			final double[] gap = lengths.get(k).step().isPresent() ? inDoubt(f.gap()) : f.gap();
 			measured.add(
 				new Settled(f.chains(), gap, Double.isFinite(error) ? error : f.lengthError()));
 		}

@@ -368,6 +368,12 @@ final class SceneTuning {
 	static final double SCENE_ROUGH = 2e-3;
 
 	/**
+	 * [share] ... and one that decides between two courses when by less than this. Why: filaments
+	 * that lie side by side creep towards their places.
+	 */
+	static final double SCENE_EXACT = 2e-5;
+
+	/**
 	 * [ratio] Of seeds, stiffness is so much higher at first. Why: corners of trails are no bends.
 	 */
 	static final double STIFFER = 4;
@@ -475,6 +481,26 @@ final class SceneTuning {
 
 	/** [frames] ... with so many lengths on each side. Why: one or two may be wrong. */
 	static final int LENGTH_ASIDE = 4;
+
+	/**
+	 * [px] Two that were exchanged are tried as they were in the frame before if they are somewhere
+	 * farther from that. Why: from nearer a fit gets there by itself.
+	 */
+	static final double HALVES_OFF = 2;
+
+	/**
+	 * [sweeps] Two that were exchanged take turns so often at most. Why: side by side they creep.
+	 */
+	static final int HALVES_SWEEPS = 8;
+
+	/** [px] ... or until neither moves farther. Why: it tells their lengths to less. */
+	static final double HALVES_STILL = 0.1;
+
+	/**
+	 * [rounds] So often the lengths of two that were exchanged are measured again. Why: the step of
+	 * a length tells it but to a pixel.
+	 */
+	static final int HALVES_ROUNDS = 1;
 
 	/**
 	 * [sweeps] So often chains are fitted when a length is measured. Why: they were fitted before,

@@ -40,6 +40,12 @@ record SceneWeights(double stiffness) {
 			SceneTuning.SCENE_TOLERANCE, false);
 	}
 
+	/** @return of known length, wherever the light is, fitted to the end */
+	FitSettings settled() {
+		return new FitSettings(stiffness, 0, 0, SceneTuning.LOOSE_ITERATIONS,
+			SceneTuning.SCENE_EXACT, false);
+	}
+
 	/** @return the same for one of many that are tried: not fitted to the end */
 	FitSettings searched() {
 		return new FitSettings(stiffness, 0, SceneTuning.LOOSE, SceneTuning.SOME_ITERATIONS,

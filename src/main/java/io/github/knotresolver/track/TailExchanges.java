@@ -4,12 +4,10 @@ package io.github.knotresolver.track;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 
 import io.github.knotresolver.fit.Chain;
-import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.track.SceneSettler.Settled;
@@ -25,11 +23,22 @@ final class TailExchanges {
 	private final SceneLine line;
 	private final SceneWeights weights;
 	private final Progress progress;
+	private final boolean thorough;
 
 	TailExchanges(final SceneLine line, final SceneWeights weights, final Progress progress) {
+		this(line, weights, progress, false);
+	}
+
+	/**
+	 * @param thorough whether all places are tried, and fitted to the end: for two of which it is
+	 *          known that they were exchanged somewhere
+	 */
+	TailExchanges(final SceneLine line, final SceneWeights weights, final Progress progress,
+		final boolean thorough) {
 		this.line = line;
 		this.weights = weights;
 		this.progress = progress;
+		this.thorough = thorough;
 	}
 
 	/** Two filaments in a frame with their tails exchanged, and what that costs more. */
@@ -50,7 +59,33 @@ final class TailExchanges {
 		return checked;
 	}
 
-	private void check(final List<Settled> filaments, final int i, final int j) {
+	/** All filaments, and what two of them cost: light, bending and motion. */
+	record PricedPair(List<Settled> filaments, double price) {
+	}
+
+	/** Two filaments, with tails exchanged where that is cheaper. O(frames). */
+	PricedPair course(final List<Settled> filaments, final int i, final int j) {
+		final List<Settled> checked = new ArrayList<>(filaments);
+		double price = check(checked, i, j);
+		for (int t = 0; t < line.frames().size(); t++)
+			price += pair(filaments, i, j, t).price(filaments.get(i).chains().get(t),
+				filaments.get(j).chains().get(t));
+		return new PricedPair(checked, price);
+	}
+
+	/** The two in a frame, taken out. */
+	PairFit pair(final List<Settled> filaments, final int i, final int j, final int t) {
+		final Scene scene = line.scene(t,
+			filaments.stream().map(s -> s.chains().get(t)).toList());
+		scene.take(i);
+		scene.take(j);
+		return thorough
+			? new PairFit(scene, i, j, weights.settled(), SceneTuning.HALVES_SWEEPS)
+			: new PairFit(scene, i, j, weights.tracked(), 1);
+	}
+
+	/** Exchanges two where that is cheaper; what their motion costs and the exchanges gain. */
+	private double check(final List<Settled> filaments, final int i, final int j) {
 		final int n = line.frames().size();
 		final List<List<Exchanged>> others = new ArrayList<>();
 		int possible = 0;
@@ -61,32 +96,34 @@ final class TailExchanges {
 			others.add(other);
 			possible += other.isEmpty() ? 0 : 1;
 		}
-		if (possible >= SceneTuning.EXCHANGE_FEWEST)
-			decide(filaments, i, j, others);
+		return possible >= SceneTuning.EXCHANGE_FEWEST || thorough
+			? decide(filaments, i, j, others)
+			: 0;
 	}
 
 	private boolean mayTouch(final List<Settled> filaments, final int i, final int j, final int t) {
 		final Chain a = filaments.get(i).chains().get(t), b = filaments.get(j).chains().get(t);
 		return a.start().distanceTo(b.start()) < a.length() + b.length()
-			&& !TailSwap.exchanged(a, b, SceneTuning.EXCHANGE_LENGTH).isEmpty();
+			&& !exchanges(a, b).isEmpty();
+	}
+
+	private List<TailSwap.Pair> exchanges(final Chain a, final Chain b) {
+		return thorough
+			? TailSwap.everywhere(a, b, SceneTuning.EXCHANGE_LENGTH)
+			: TailSwap.exchanged(a, b, SceneTuning.EXCHANGE_LENGTH);
 	}
 
 	/** The best exchanges in a frame that show: of the tails, and of the heads. */
 	private List<Exchanged> exchanged(final List<Settled> filaments, final int i, final int j,
 		final int t) {
 		final Chain a = filaments.get(i).chains().get(t), b = filaments.get(j).chains().get(t);
-		final List<Chain> here = new ArrayList<>();
-		for (final Settled s : filaments)
-			here.add(s.chains().get(t));
-		final Scene scene = line.scene(t, here);
-		scene.take(i);
-		scene.take(j);
-		final double before = price(scene, j, a, b);
+		final PairFit pair = pair(filaments, i, j, t);
+		final double before = pair.price(a, b);
 		TailSwap.Pair tails = null, heads = null;
-		for (final TailSwap.Pair p : TailSwap.exchanged(a, b, SceneTuning.EXCHANGE_LENGTH)) {
+		for (final TailSwap.Pair p : exchanges(a, b)) {
 			if (!shows(p.a(), a) || !shows(p.b(), b))
 				continue;
-			final double energy = price(scene, j, p.a(), p.b());
+			final double energy = pair.price(p.a(), p.b());
 			final boolean keepsHeads = p.a().start().distanceTo(a.start()) < SceneTuning.END_STAYS
 				&& p.b().start().distanceTo(b.start()) < SceneTuning.END_STAYS;
 			final TailSwap.Pair best = keepsHeads ? tails : heads;
@@ -98,42 +135,17 @@ final class TailExchanges {
 			else
 				heads = better;
 		}
-		return Stream.of(tails, heads).filter(Objects::nonNull)
-			.map(p -> fitted(scene, i, j, p, before)).filter(e -> shows(e.a, a) && shows(e.b, b))
-			.toList();
+		return Stream.of(tails, heads).filter(Objects::nonNull).map(p -> pair.fitted(p.a(), p.b()))
+			.map(f -> new Exchanged(f.a(), f.b(), f.price() - before))
+			.filter(e -> shows(e.a, a) && shows(e.b, b)).toList();
 	}
 
 	private static boolean shows(final Chain other, final Chain chain) {
 		return other.farthest(chain) > SceneTuning.VISIBLY_FAR;
 	}
 
-	private Exchanged fitted(final Scene scene, final int i, final int j, final TailSwap.Pair start,
-		final double before) {
-		scene.put(j, start.b());
-		final Chain first = fit(scene, start.a());
-		scene.take(j);
-		scene.put(i, first);
-		final Chain second = fit(scene, start.b());
-		scene.take(i);
-		return new Exchanged(first, second, price(scene, j, first, second) - before);
-	}
-
-	private double price(final Scene scene, final int j, final Chain a, final Chain b) {
-		final double one = scene.window(List.of(b)).price(b, weights.tracked()).energy();
-		scene.put(j, b);
-		final double other = scene.window(List.of(a)).price(a, weights.tracked()).energy();
-		scene.take(j);
-		return one + other;
-	}
-
-	private Chain fit(final Scene scene, final Chain start) {
-		final Fit fit = scene.window(List.of(start)).fit(start, Optional.of(start),
-			weights.tracked());
-		return fit.chain();
-	}
-
 	/** The cheapest course through both possibilities. */
-	private void decide(final List<Settled> filaments, final int i, final int j,
+	private double decide(final List<Settled> filaments, final int i, final int j,
 		final List<List<Exchanged>> others) {
 		final Settled first = filaments.get(i), second = filaments.get(j);
 		final List<double[]> prices = new ArrayList<>();
@@ -162,6 +174,7 @@ final class TailExchanges {
 		}
 		filaments.set(i, new Settled(a, gapA, first.lengthError()));
 		filaments.set(j, new Settled(b, gapB, second.lengthError()));
+		return path.total();
 	}
 
 	private static Chain chain(final Settled filament, final List<List<Exchanged>> others,

@@ -136,6 +136,29 @@ final class TailSwap {
 		return all;
 	}
 
+	/** The same, and all exchanges at places where they cross, of which a long touch has several. */
+	static List<Pair> everywhere(final Chain a, final Chain b, final double tolerance) {
+		final Polyline p = a.polyline(), q = b.polyline();
+		final List<Pair> all = exchanged(a, b, tolerance);
+		for (int i = 0; i + 1 < p.size(); i++)
+			for (int k = 0; k + 1 < q.size(); k++)
+				if (cross(p, i, q, k))
+					exchange(a, b, new int[]{i + 1, k + 1}, tolerance, all);
+		return all;
+	}
+
+	/** Whether the i-th link of one crosses the k-th of the other. */
+	private static boolean cross(final Polyline p, final int i, final Polyline q, final int k) {
+		return side(p, i, q.point(k)) * side(p, i, q.point(k + 1)) < 0
+			&& side(q, k, p.point(i)) * side(q, k, p.point(i + 1)) < 0;
+	}
+
+	private static double side(final Polyline curve, final int link, final Point point) {
+		final Point from = curve.point(link), to = curve.point(link + 1);
+		return (to.x() - from.x()) * (point.y() - from.y())
+			- (to.y() - from.y()) * (point.x() - from.x());
+	}
+
 	private static int nearest(final Polyline p, final int i, final Polyline q) {
 		int best = 0;
 		for (int k = 1; k < q.size(); k++)

@@ -1,0 +1,150 @@
+
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.track.SceneLengths.Length;
+import io.github.knotresolver.track.SceneLengths.LengthStep;
+import io.github.knotresolver.track.SceneSettler.Settled;
+import io.github.knotresolver.track.TailExchanges.PricedPair;
+
+/**
+ * Two filaments one of which gets shorter by what the other gets longer are each other's halves
+ * before some frame, or after it. With the lengths of either time their tails are exchanged where
+ * that is cheaper; that course is right which is cheapest over the whole movie.
+ */
+final class ExchangedHalves {
+
+	private final SceneLine line;
+	private final SceneLengths measure;
+	private final TailExchanges exchanges;
+	private final Workers workers;
+	private final Progress progress;
+
+	ExchangedHalves(final SceneLine line, final SceneWeights weights, final Workers workers,
+		final Progress progress) {
+		this.line = line;
+		measure = new SceneLengths(line, weights);
+		exchanges = new TailExchanges(line, weights, progress, true);
+		this.workers = workers;
+		this.progress = progress;
+	}
+
+	/**
+	 * The filaments with those mended whose lengths step so. O(frames) for every two.
+	 *
+	 * @param lengths of all filaments
+	 * @return empty if there are no such two
+	 */
+	Optional<List<Settled>> mended(final List<Settled> filaments, final List<Length> lengths) {
+		List<Settled> mended = filaments;
+		for (int i = 0; i < lengths.size(); i++)
+			for (int j = 0; j < i; j++)
+				if (balance(lengths.get(i), lengths.get(j)))
+					mended = mended(mended, i, j, lengths);
+		return mended == filaments ? Optional.empty() : Optional.of(mended);
+	}
+
+	private static boolean balance(final Length a, final Length b) {
+		return a.step().isPresent() && b.step().filter(a.step().get()::balances).isPresent();
+	}
+
+	private List<Settled> mended(final List<Settled> filaments, final int i, final int j,
+		final List<Length> lengths) {
+		final LengthStep a = lengths.get(i).step().orElseThrow();
+		final LengthStep b = lengths.get(j).step().orElseThrow();
+		final List<PricedPair> courses = new ArrayList<>();
+		courses.add(exchanges.course(filaments, i, j));
+		courses.add(withLengths(filaments, i, j, new double[]{a.before(), b.before()}));
+		courses.add(withLengths(filaments, i, j, new double[]{a.after(), b.after()}));
+		courses.sort(Comparator.comparingDouble(PricedPair::price));
+		final List<Settled> best = new ArrayList<>(courses.get(0).filaments());
+		for (final int k : new int[]{i, j})
+			best.set(k, lessSure(courses, k));
+		return best;
+	}
+
+	/** A filament of the cheapest course, less sure where others differ that are not much dearer. */
+	private static Settled lessSure(final List<PricedPair> courses, final int k) {
+		final Settled best = courses.get(0).filaments().get(k);
+		final double[] gap = best.gap().clone();
+		for (final PricedPair other : courses)
+			for (int t = 0; t < gap.length; t++)
+				if (other.filaments().get(k).chains().get(t)
+					.farthest(best.chains().get(t)) > SceneTuning.VISIBLY_FAR)
+					gap[t] = Math.min(gap[t], other.price() - courses.get(0).price());
+		return new Settled(best.chains(), gap, best.lengthError());
+	}
+
+	/** The course of two filaments that begins with some lengths. */
+	private PricedPair withLengths(final List<Settled> filaments, final int i, final int j,
+		final double[] lengths) {
+		List<Settled> now = as(filaments, i, j, lengths);
+		for (int round = 0; round < SceneTuning.HALVES_ROUNDS; round++) {
+			progress.checkCancelled();
+			now = likeNeighbours(exchanges.course(now, i, j).filaments(), i, j);
+			final ScenePass pass = ScenePass.of(now);
+			final List<Length> found = measure.of(pass, List.of(i, j), pass.clear(line, workers),
+				workers);
+			now = as(now, i, j, found.stream().mapToDouble(Length::length).toArray());
+		}
+		return exchanges.course(now, i, j);
+	}
+
+	/** Two filaments as long as that in all frames. */
+	private List<Settled> as(final List<Settled> filaments, final int i, final int j,
+		final double[] lengths) {
+		return with(filaments, i, j,
+			workers.map(line.frames().size(),
+				t -> exchanges.pair(filaments, i, j, t).fitted(
+					as(filaments.get(i).chains().get(t), lengths[0]),
+					as(filaments.get(j).chains().get(t), lengths[1]))));
+	}
+
+	private static Chain as(final Chain chain, final double length) {
+		return Chain.along(chain.polyline(), chain.links(), length);
+	}
+
+	/** Each frame as the one before or after it says, where that is cheaper. */
+	private List<Settled> likeNeighbours(final List<Settled> filaments, final int i, final int j) {
+		final int n = line.frames().size();
+		final List<PairFit.Two> two = new ArrayList<>();
+		for (int t = 0; t < n; t++) {
+			final Chain a = filaments.get(i).chains().get(t), b = filaments.get(j).chains().get(t);
+			two.add(new PairFit.Two(a, b, exchanges.pair(filaments, i, j, t).price(a, b)));
+		}
+		for (final int step : new int[]{1, -1})
+			for (int t = step > 0 ? 2 : n - 3; t >= 0 && t < n; t += step) {
+				progress.checkCancelled();
+				final PairFit.Two here = two.get(t), last = two.get(t - step);
+				final Chain a = onwards(two.get(t - 2 * step).a(), last.a());
+				final Chain b = onwards(two.get(t - 2 * step).b(), last.b());
+				if (Math.max(a.farthest(here.a()), b.farthest(here.b())) < SceneTuning.HALVES_OFF)
+					continue;
+				final PairFit.Two other = exchanges.pair(filaments, i, j, t).fitted(a, b);
+				if (other.price() < here.price())
+					two.set(t, other);
+			}
+		return with(filaments, i, j, two);
+	}
+
+	private static Chain onwards(final Chain before, final Chain now) {
+		return now.slid(before.slide(now));
+	}
+
+	private static List<Settled> with(final List<Settled> filaments, final int i, final int j,
+		final List<PairFit.Two> two) {
+		final List<Settled> all = new ArrayList<>(filaments);
+		all.set(i, new Settled(two.stream().map(PairFit.Two::a).toList(), filaments.get(i).gap(),
+			filaments.get(i).lengthError()));
+		all.set(j, new Settled(two.stream().map(PairFit.Two::b).toList(), filaments.get(j).gap(),
+			filaments.get(j).lengthError()));
+		return all;
+	}
+}
