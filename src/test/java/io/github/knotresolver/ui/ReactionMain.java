@@ -11,7 +11,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Random;
 
 import com.sun.management.OperatingSystemMXBean;
 
@@ -43,7 +42,7 @@ import io.github.knotresolver.ui.model.ReviewModel;
 final class ReactionMain {
 
 	private static final int FRAMES = 120, WARM = 40, DRAGS = 200, WORDS = 16, STRIDE = 37,
-		LOOKS = 20, LARGE = 512, GROUND = 40, NOISE = 6;
+		LOOKS = 20, LARGE = 512;
 
 	private ReactionMain() {
 	}
@@ -69,9 +68,8 @@ final class ReactionMain {
 		return image("drawn", FRAMES, DrawnMovie.SIZE);
 	}
 
-	/** A square image; beyond the drawn movie there is the same noise. */
+	/** A square image, tiled with the drawn movie. */
 	private static ImagePlus image(final String title, final int frames, final int edge) {
-		final Random random = new Random(41);
 		final Movie drawn = DrawnMovie.draw(DrawnMovie.waves(frames, 80, 3.6), List.of(),
 			LineModel.uniform(LineModel.Kind.ADDITIVE, 1.6, 1), 0.05, 41).movie();
 		final ImageStack stack = new ImageStack(edge, edge);
@@ -80,10 +78,8 @@ final class ReactionMain {
 			final FloatProcessor frame = new FloatProcessor(edge, edge);
 			for (int y = 0; y < edge; y++)
 				for (int x = 0; x < edge; x++)
-					frame.setf(x, y,
-						(float) (x < DrawnMovie.SIZE && y < DrawnMovie.SIZE
-							? pixels[y * DrawnMovie.SIZE + x]
-							: GROUND + NOISE * random.nextGaussian()));
+					frame.setf(x, y, (float) pixels[y % DrawnMovie.SIZE * DrawnMovie.SIZE
+						+ x % DrawnMovie.SIZE]);
 			stack.addSlice(frame);
 		}
 		final ImagePlus image = new ImagePlus(title, stack);
@@ -161,14 +157,14 @@ final class ReactionMain {
 		EventQueue.invokeAndWait(() -> {
 			box.panel(() -> {
 			});
-			box.changed(Map.of("image", "large"));
+			box.changed(texts("otsu"));
 		});
 		await(image, null);
 		final double[] values = new double[LOOKS], frames = new double[LOOKS];
 		for (int i = -LOOKS / 2; i < LOOKS; i++) {
-			final String threshold = Double.toString(0.3 + 0.02 * Math.floorMod(i, 20));
+			final String threshold = Double.toString(0.4 + 0.02 * Math.floorMod(i, 20));
 			final double value = millis(image, () -> EventQueue
-				.invokeLater(() -> box.changed(Map.of("image", "large", "threshold", threshold))));
+				.invokeLater(() -> box.changed(texts(threshold))));
 			final int slice = 1 + Math.floorMod(i, LOOKS);
 			final double frame = millis(image, () -> image.setSlice(slice));
 			if (i >= 0) {
@@ -183,6 +179,10 @@ final class ReactionMain {
 			"preview, %d x %d pixels: %.0f ms after a value, %.0f ms after a frame (medians of %d), %.0f ms (the longest).%n",
 			LARGE, LARGE, values[LOOKS / 2], frames[LOOKS / 2], LOOKS,
 			Math.max(values[LOOKS - 1], frames[LOOKS - 1]));
+	}
+
+	private static Map<String, String> texts(final String threshold) {
+		return Map.of("image", "large", "fixed_end", "", "region", "", "threshold", threshold);
 	}
 
 	private static double millis(final ImagePlus image, final Runnable change)
