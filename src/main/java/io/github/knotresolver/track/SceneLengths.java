@@ -127,7 +127,8 @@ final class SceneLengths {
 			- SceneTuning.LENGTH_ASIDE; from++) {
 			final double[] before = Arrays.copyOf(seen, from);
 			final double[] after = Arrays.copyOfRange(seen, from, seen.length);
-			final LengthStep step = new LengthStep(new Median().evaluate(before), new Median().evaluate(after));
+			final LengthStep step = new LengthStep(new Median().evaluate(before),
+				new Median().evaluate(after));
 			final double by = Math.abs(step.by());
 			if (by > Math.max(SceneTuning.LENGTH_STEP, Math.abs(largest.by()))
 				&& by > SceneTuning.LENGTH_CLEARLY * Math.min(scatter(before), scatter(after)))

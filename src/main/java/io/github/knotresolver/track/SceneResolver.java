@@ -66,8 +66,8 @@ public final class SceneResolver {
 					final boolean[][] again = ScenePass.of(m).clear(s.line, workers);
 					return SceneTracks.of(s.line, measured(m, lengths(mended, again)), again,
 						anchor);
-				}).orElseGet(() -> SceneTracks.of(s.line, measured(s.filaments, lengths), clear,
-					anchor));
+				}).orElseGet(
+					() -> SceneTracks.of(s.line, measured(s.filaments, lengths), clear, anchor));
 		});
 	}
 

@@ -75,8 +75,7 @@ final class TailExchanges {
 
 	/** The two in a frame, taken out. */
 	PairFit pair(final List<Settled> filaments, final int i, final int j, final int t) {
-		final Scene scene = line.scene(t,
-			filaments.stream().map(s -> s.chains().get(t)).toList());
+		final Scene scene = line.scene(t, filaments.stream().map(s -> s.chains().get(t)).toList());
 		scene.take(i);
 		scene.take(j);
 		return thorough

@@ -110,9 +110,8 @@ final class FigurePanel extends JPanel {
 
 				@Override
 				public void mouseMoved(final MouseEvent e) {
-					setCursor(Cursor.getPredefinedCursor(frameAt(e).isPresent()
-						? Cursor.HAND_CURSOR
-						: Cursor.DEFAULT_CURSOR));
+					setCursor(Cursor.getPredefinedCursor(
+						frameAt(e).isPresent() ? Cursor.HAND_CURSOR : Cursor.DEFAULT_CURSOR));
 				}
 			};
 			addMouseListener(mouse);

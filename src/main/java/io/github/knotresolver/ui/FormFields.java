@@ -116,8 +116,7 @@ final class FormFields implements ImageListener, AutoCloseable {
 		final int most = (int) (SHARE * GUI.getMaxWindowBounds(panel).height);
 		// With room for the bar, also if a person makes the window lower later.
 		final int bar = ((JScrollPane) advanced).getVerticalScrollBar().getPreferredSize().width;
-		advanced
-			.setPreferredSize(new Dimension(size.width + bar, Math.min(size.height, most)));
+		advanced.setPreferredSize(new Dimension(size.width + bar, Math.min(size.height, most)));
 		advanced.setVisible(wanted);
 		tell();
 		resized.run();

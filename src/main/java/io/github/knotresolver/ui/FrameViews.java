@@ -56,8 +56,8 @@ final class FrameViews {
 			Math.min(track.frames().size(), model.frame() + NEIGHBOURS));
 		final List<Alternative> others = shown.alternatives().subList(0,
 			Math.min(ReviewActions.MOST_ALTERNATIVES, shown.alternatives().size()));
-		final double high = HIGH
-			* neighbours.getFontMetrics(neighbours.getFont()).getHeight() + more;
+		final double high = HIGH * neighbours.getFontMetrics(neighbours.getFont()).getHeight()
+			+ more;
 		final ReviewPictures.Small small = pictures.small(model.tracks().orElseThrow(), track,
 			Stream.concat(near.stream().flatMap(o -> o.contour().stream()),
 				others.stream().map(Alternative::contour)).toList(),
@@ -81,11 +81,10 @@ final class FrameViews {
 			final Optional<Polyline> contour = Optional.of(others.get(i).contour());
 			final String dearer = String.format(Locale.ROOT, "%+.1f",
 				others.get(i).cost() - shown.cost());
-			courses
-				.add(new Thumbnails.Item("alternative " + (i + 2), (i + 2) + ": " + dearer,
-					"Another course of this frame, its price " + dearer
-						+ " against what is shown; a click takes it (key: " + (i + 2) + ")",
-					small.paint(shown.frame(), contour), false, contour, () -> model.take(index)));
+			courses.add(new Thumbnails.Item("alternative " + (i + 2), (i + 2) + ": " + dearer,
+				"Another course of this frame, its price " + dearer
+					+ " against what is shown; a click takes it (key: " + (i + 2) + ")",
+				small.paint(shown.frame(), contour), false, contour, () -> model.take(index)));
 		}
 		return courses;
 	}

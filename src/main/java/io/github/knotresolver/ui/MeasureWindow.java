@@ -106,7 +106,8 @@ public final class MeasureWindow {
 		final Dimension screen = GUI.getMaxWindowBounds(window).getSize();
 		window.setSize(Math.min(screen.width, window.getWidth()),
 			Math.min(screen.height, window.getHeight()));
-		window.setMinimumSize(new Dimension(2 * window.getWidth() / 3, 9 * window.getHeight() / 10));
+		window
+			.setMinimumSize(new Dimension(2 * window.getWidth() / 3, 9 * window.getHeight() / 10));
 		if (WindowManager.getFrame(window.getTitle()) instanceof JFrame earlier) {
 			window.setLocation(earlier.getLocation());
 			WindowManager.removeWindow(earlier);

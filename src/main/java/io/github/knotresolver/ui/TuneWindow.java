@@ -115,8 +115,7 @@ public final class TuneWindow implements ImageListener {
 		// In a larger window histogram and strip are higher, and nothing else is.
 		for (final Component part : all.getComponents())
 			if (part != histogram && part != strip)
-				part.setMaximumSize(
-					new Dimension(Short.MAX_VALUE, part.getPreferredSize().height));
+				part.setMaximumSize(new Dimension(Short.MAX_VALUE, part.getPreferredSize().height));
 		window.pack();
 		window.setMinimumSize(window.getSize());
 		Beside.place(window, image.getWindow());

@@ -74,14 +74,15 @@ final class ClicksMain {
 
 	private void play() throws Exception {
 		final Path file = movie();
-		System.out.println("| step | person | s | program, s | its processors, s |\n|---|---|---|---|---|");
+		System.out.println(
+			"| step | person | s | program, s | its processors, s |\n|---|---|---|---|---|");
 		step("drag the file onto ImageJ", "MPKPK", () -> {
 			image = IJ.openImage(file.toString());
 			image.show();
 		}, () -> image.getWindow() != null);
 		step("Plugins > Tracking > KnotResolver > Resolve Filament..., and read the preview",
-			"MPKPKPKPKL", () -> Windows.start(RESOLVE), () -> Windows.dialogs()
-				.anyMatch(d -> Windows.text(d).contains("frame 1: ")));
+			"MPKPKPKPKL", () -> Windows.start(RESOLVE),
+			() -> Windows.dialogs().anyMatch(d -> Windows.text(d).contains("frame 1: ")));
 		final Dialog dialog = Windows.dialog(RESOLVE);
 		hand.focus(dialog, Windows.find(dialog, "frames"));
 		step("Enter (OK)", "MHK", () -> hand.key(KeyEvent.VK_ENTER),
@@ -102,8 +103,9 @@ final class ClicksMain {
 			hand.focus(chooser, chooser);
 			Windows.press(chooser, "Save");
 		}, () -> ((JLabel) Windows.find(review, "status")).getText().startsWith("Saved in"));
-		System.out.printf(Locale.ROOT, "| together | | %.0f | %.0f | %.0f |%n%.0f s for %d frames.%n",
-			person, program, processors, person + program, FRAMES);
+		System.out.printf(Locale.ROOT,
+			"| together | | %.0f | %.0f | %.0f |%n%.0f s for %d frames.%n", person, program,
+			processors, person + program, FRAMES);
 	}
 
 	/** The least certain frame comes, and is mended: by an alternative where there is one, else by hand. */
@@ -154,8 +156,8 @@ final class ClicksMain {
 		person += seconds;
 		program += answer;
 		processors += work;
-		System.out.printf(Locale.ROOT, "| %s | %s | %.1f | %.1f | %.1f |%n", what, operators, seconds,
-			answer, work);
+		System.out.printf(Locale.ROOT, "| %s | %s | %.1f | %.1f | %.1f |%n", what, operators,
+			seconds, answer, work);
 	}
 
 	private static long cpu() {

@@ -104,8 +104,8 @@ final class ScreenshotsMain {
 			image.getWindow().getY());
 		Windows.await("overlay", () -> image.getOverlay() != null);
 		front(dialog);
-		gallery.take("resolve-dialog.png",
-			dialog.getBounds().union(image.getWindow().getBounds()), dialog);
+		gallery.take("resolve-dialog.png", dialog.getBounds().union(image.getWindow().getBounds()),
+			dialog);
 		Windows.onEvents(((AbstractButton) Windows.find(dialog, "Advanced"))::doClick);
 		Windows.await("advanced", () -> Windows.find(dialog, "threshold").isShowing());
 		front(dialog);

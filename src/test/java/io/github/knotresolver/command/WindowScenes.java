@@ -40,12 +40,12 @@ final class WindowScenes {
 
 	/** Robots need a display; names do not. */
 	static Map<String, DialogsMain.Scene> scenes(final Path home) {
-		return new TreeMap<>(Map.of("every field and button has its help",
-			() -> new WindowScenes(home).help(), "windows have the scale of ImageJ",
-			() -> new WindowScenes(home).scale(), "a review is of the image in front",
-			() -> new WindowScenes(home).inFront(), "a review is left without saving, or not",
-			() -> new WindowScenes(home).left(), "tuned values are saved to a sheet",
-			() -> new WindowScenes(home).sheet()));
+		return new TreeMap<>(
+			Map.of("every field and button has its help", () -> new WindowScenes(home).help(),
+				"windows have the scale of ImageJ", () -> new WindowScenes(home).scale(),
+				"a review is of the image in front", () -> new WindowScenes(home).inFront(),
+				"a review is left without saving, or not", () -> new WindowScenes(home).left(),
+				"tuned values are saved to a sheet", () -> new WindowScenes(home).sheet()));
 	}
 
 	private void help() throws Exception {
@@ -163,8 +163,7 @@ final class WindowScenes {
 		Windows.start(TUNE);
 		Windows.press(Windows.dialog(TUNE), "OK");
 		final Frame window = Windows.frame("Tune tuned.tif");
-		Windows.onEvents(
-			() -> ((JSpinner) Windows.find(window, "threshold")).setValue(0.45));
+		Windows.onEvents(() -> ((JSpinner) Windows.find(window, "threshold")).setValue(0.45));
 		hand.clickUntil("the file's name", Windows.find(window, "Save to sheet..."),
 			() -> Windows.dialogs().findAny().isPresent());
 		Windows.press(Windows.dialog("Batch sheet (CSV), new or present"), "Write the row");

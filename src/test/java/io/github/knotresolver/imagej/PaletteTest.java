@@ -59,8 +59,9 @@ class PaletteTest {
 		}
 
 		private static double[] times(final double[] matrix, final double[] v) {
-			return IntStream.range(0, 3).mapToDouble(
-				i -> matrix[3 * i] * v[0] + matrix[3 * i + 1] * v[1] + matrix[3 * i + 2] * v[2])
+			return IntStream.range(0, 3)
+				.mapToDouble(
+					i -> matrix[3 * i] * v[0] + matrix[3 * i + 1] * v[1] + matrix[3 * i + 2] * v[2])
 				.toArray();
 		}
 	}
@@ -89,8 +90,8 @@ class PaletteTest {
 	@ParameterizedTest
 	@EnumSource
 	void theWayAlongAFilamentIsSeen(final Vision vision) {
-		assertApart(vision, IntStream.rangeClosed(0, 6).mapToObj(i -> Palette.along(i / 6.0))
-			.toList());
+		assertApart(vision,
+			IntStream.rangeClosed(0, 6).mapToObj(i -> Palette.along(i / 6.0)).toList());
 		double before = vision.lab(Palette.along(0.4))[0];
 		for (double at = 0.5; at <= 1; at += 0.1) {
 			final double next = vision.lab(Palette.along(at))[0];

@@ -63,8 +63,8 @@ class ExchangedHalvesTest {
 	private static Optional<List<Settled>> mended(final List<Settled> filaments) {
 		final SceneLine line = seen();
 		final ScenePass pass = ScenePass.of(filaments);
-		return new ExchangedHalves(line, SceneWeights.DEFAULT, Workers.HERE, Progress.NONE).mended(
-			filaments, new SceneLengths(line, SceneWeights.DEFAULT).of(pass,
+		return new ExchangedHalves(line, SceneWeights.DEFAULT, Workers.HERE, Progress.NONE)
+			.mended(filaments, new SceneLengths(line, SceneWeights.DEFAULT).of(pass,
 				pass.clear(line, Workers.HERE), Workers.HERE));
 	}
 
@@ -75,8 +75,8 @@ class ExchangedHalvesTest {
 			for (int t = 0; t < FRAMES; t++) {
 				final Chain found = mended.get(k).chains().get(t);
 				assertEquals(right.length(), found.length(), 0.3);
-				assertTrue(found.farthest(right) < 1, "filament " + k + ", frame " + (t + 1) + ": "
-					+ found.farthest(right));
+				assertTrue(found.farthest(right) < 1,
+					"filament " + k + ", frame " + (t + 1) + ": " + found.farthest(right));
 			}
 		}
 	}

@@ -163,8 +163,8 @@ final class ReactionMain {
 		final double[] values = new double[LOOKS], frames = new double[LOOKS];
 		for (int i = -LOOKS / 2; i < LOOKS; i++) {
 			final String threshold = Double.toString(0.4 + 0.02 * Math.floorMod(i, 20));
-			final double value = millis(image, () -> EventQueue
-				.invokeLater(() -> box.changed(texts(threshold))));
+			final double value = millis(image,
+				() -> EventQueue.invokeLater(() -> box.changed(texts(threshold))));
 			final int slice = 1 + Math.floorMod(i, LOOKS);
 			final double frame = millis(image, () -> image.setSlice(slice));
 			if (i >= 0) {
