@@ -6,10 +6,12 @@ import hashlib
 import json
 import os
 import pathlib
+import queue
 import re
 import subprocess
 import sys
 import tempfile
+import threading
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCES = ROOT / "src" / "main" / "java"
@@ -20,7 +22,8 @@ TEXT = re.compile(r"\[([^\]]+)\] (.*) Why: (.*)", re.S)
 FACTORS = (0.5, 2)
 AT_MOST_ONE = ("share", "cosine", "probability")
 NO_CONTOURS = ("measure",)
-CONDITIONS = (("drift10_L20_d25", 8), ("base_L15_d50", 8))
+LONGEST = 300  # seconds of a variant; what takes longer fails
+CONDITIONS = (("drift10_L20_d25", 8),)
 SCENES = (("glide5", 5),)
 INTRODUCTION = """# Tuning constants
 
@@ -33,12 +36,12 @@ standard deviation of what is measured where there is no line; *strands* is brig
 ABLATION = """
 `scripts/ablation` also halves and doubles one constant at a time, resolves {movies}, and scores them against the truth.
 *halved* and *doubled*: percentage of filament-frames in which a contour lies on the true one, whichever way it runs, and in
-brackets of contours that lie on none with a confidence above 0.9; as the constants are, it is **{base}**. `=` says that no contour changed at all: these movies do not need the constant.
+brackets of contours that lie on none with a confidence above 0.9; as the constants are, it is {base}. `=` says that no contour changed at all: these movies do not need the constant.
 `fails` says that the program does not work so. A blank cell was not measured; constants of `measure` change no contour, and
 `scripts/measurement-accuracy` shows what they are worth. Shares, cosines and probabilities are doubled to 1 at most. Constants of `SceneTuning` are
 tried on scenes only.
 """
-FIGURES = re.compile(r"as the constants are, it is \*\*(.+?)\*\*")
+FIGURES = re.compile(r"as the constants are, it is (.+?)\. `=`")
 ROW = re.compile(r"\| `(\w+)` \| (.+?) \| .+ \*Why:\* .+? \|(?: (.*?) \| (.*?) \|)?$")
 
 
@@ -52,12 +55,6 @@ class Constant:
         self.file, self.type, self.name, self.value = file, match[2], match[3], " ".join(match[4].split())
         self.unit, self.what, self.why = text.groups()
         self.room = file.parent.name
-
-    def changed(self, factor):
-        if self.type == "int":
-            return f"(int) Math.max(1, Math.rint({factor} * ({self.value})))"
-        times = f"{factor} * ({self.value})"
-        return f"Math.min(1, {times})" if self.unit in AT_MOST_ONE else times
 
     def key(self, factor):
         return f"{self.room}.{self.name}={self.value}*{factor}"
@@ -86,39 +83,67 @@ def movies(folder, bench):
     return [(folder / f"{name}.tif", folder / f"{name}_truth.csv") for name, *_ in found]
 
 
-def resolve(path, found, folder):
-    """Of each movie the percentages found and silently wrong, and a digest of its contours; None if the program fails."""
+def changeable(path, folder):
+    """The class path of a build whose constants are not final: of the classes that have them, and of all that name one."""
+    classes, sources, files = folder / "classes", folder / "sources", {c.file for c in constants()}
+    for file in files:
+        copy = sources / file.relative_to(SOURCES)
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.write_text(re.sub(r"static final (int|double) ", r"static \1 ", file.read_text()))
+    named = re.compile("|".join(rf"\b{f.stem}\b" for f in files))
+    users = [str(f) for f in SOURCES.rglob("*.java") if f not in files and named.search(f.read_text())]
+    subprocess.run(["javac", "-nowarn", "-proc:none", "--release", "17", "-d", str(classes), "-cp", path]
+                   + [str(f) for f in sources.rglob("*.java")] + users, check=True, capture_output=True)
+    return f"{classes}{os.pathsep}{path}"
+
+
+def kept_by_classes():
+    """Names, Class.NAME, of the constants that a class keeps for good once it is loaded."""
+    kept = re.compile(r"static final [^;(=]+=([^;]*)")
+    return {n for f in SOURCES.rglob("*.java") for m in kept.finditer(f.read_text()) for n in re.findall(r"\w+Tuning\.\w+", m[1])}
+
+
+class Resolver:
+    """A running program that resolves the movies with one constant changed; a new one is begun when it is needed."""
+
+    def __init__(self, path, found):
+        self.path, self.found, self.program = path, found, None
+
+    def ask(self, constant, factor, fresh=False):
+        """Of each movie the percentages found and silently wrong, and a digest of its contours; None if the program fails."""
+        found = [(t, truth) for t, truth in self.found if constant.file.stem != "SceneTuning" or t.stem in dict(SCENES)]
+        if fresh or not self.program:
+            self.close()
+            self.program = subprocess.Popen(["java", "-Djava.awt.headless=true", "-XX:+UseSerialGC", "-Xmx3g", "-cp", self.path,
+                                             "io.github.knotresolver.session.AblationMain"], stdin=subprocess.PIPE,
+                                            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        with tempfile.TemporaryDirectory() as out:
+            most = 1 if constant.unit in AT_MOST_ONE else "Infinity"
+            kind = ".".join(constant.file.relative_to(SOURCES).with_suffix("").parts)
+            watch = threading.Timer(LONGEST, self.program.kill)
+            watch.start()
+            try:
+                self.program.stdin.write("\t".join(map(str, [kind, constant.name, factor, most, out] + [t for t, _ in found])) + "\n")
+                self.program.stdin.flush()
+                answer = self.program.stdout.readline()
+            finally:
+                watch.cancel()
+            if answer != "done\n" or fresh:
+                self.close()
+            return {t.stem: scored(pathlib.Path(out) / "default" / t.stem, truth) for t, truth in found} if answer == "done\n" else None
+
+    def close(self):
+        if self.program:
+            self.program.kill()
+            self.program.communicate()
+        self.program = None
+
+
+def scored(result, truth):
     import scenes
-    out = folder / "out"
-    run = subprocess.run(["java", "-Djava.awt.headless=true", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xmx3g", "-cp", path,
-                          "io.github.knotresolver.session.BenchmarkMain", str(out), "default"] + [str(tiff) for tiff, _ in found],
-                         capture_output=True, text=True, check=False, timeout=1800)
-    if run.returncode:
-        return None
-    got = {}
-    for tiff, truth in found:
-        result = out / "default" / tiff.stem / "contours.csv"
-        score = scenes.score(str(truth), str(result), str(result.with_name("frames.csv")))
-        got[tiff.stem] = {"found": score["found"] or 0, "silent": score["silent"] or 0,
-                          "contours": hashlib.sha256(result.read_bytes()).hexdigest()}
-    return got
-
-
-def variant(constant, factor, path, found):
-    """What resolve says with one constant changed: its class and all that name it are compiled anew."""
-    if constant.file.stem == "SceneTuning":
-        found = [(tiff, truth) for tiff, truth in found if tiff.stem in dict(SCENES)]
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        source = constant.file.read_text()
-        old = re.search(rf"static final \w+ {constant.name} = [^;]+;", source)[0]
-        changed = folder / constant.file.name
-        changed.write_text(source.replace(old, f"static final {constant.type} {constant.name} = {constant.changed(factor)};"))
-        users = [str(f) for f in SOURCES.rglob("*.java") if f != constant.file and constant.file.stem in f.read_text()]
-        classes = folder / "classes"
-        subprocess.run(["javac", "-nowarn", "-proc:none", "--release", "17", "-d", str(classes), "-cp", path, str(changed)] + users,
-                       check=True, capture_output=True)
-        return resolve(f"{classes}{os.pathsep}{path}", found, folder)
+    score = scenes.score(str(truth), str(result / "contours.csv"), str(result / "frames.csv"))
+    return {"found": score["found"] or 0, "silent": score["silent"] or 0,
+            "contours": hashlib.sha256((result / "contours.csv").read_bytes()).hexdigest()}
 
 
 def measure(args):
@@ -128,20 +153,37 @@ def measure(args):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         found = movies(folder, args.bench)
-        base = resolve(path, found, folder)
+        path, kept = changeable(path, folder), kept_by_classes()
+        wanted = [c for c in constants() if c.room not in NO_CONTOURS]
+        resolvers = [Resolver(path, found) for _ in range(args.jobs)]
+        base = resolvers[0].ask(next(c for c in wanted if c.file.stem != "SceneTuning"), 1)
         if measured.get("base", base) != base:
             print("The contours are others than when target/ablation.json was written: all is measured anew.", file=sys.stderr)
             measured = {}
         measured["base"] = base
+        measured.setdefault("commit", subprocess.run(["git", "-C", ROOT, "rev-parse", "--short", "HEAD"], check=True, capture_output=True,
+                                                     text=True).stdout.strip())
         MEASURED.parent.mkdir(exist_ok=True)
-        wanted = [(c, f) for c in constants() for f in FACTORS if c.room not in NO_CONTOURS
-                  and c.key(f) not in measured and re.search(args.only, f"{c.room}.{c.name}")]
+        wanted = [(c, f) for c in wanted for f in FACTORS if c.key(f) not in measured and re.search(args.only, f"{c.room}.{c.name}")]
+        free = queue.SimpleQueue()
+        for resolver in resolvers:
+            free.put(resolver)
+
+        def ask(constant, factor):
+            resolver = free.get()
+            try:
+                return resolver.ask(constant, factor, f"{constant.file.stem}.{constant.name}" in kept)
+            finally:
+                free.put(resolver)
+
         with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
-            runs = {pool.submit(variant, c, f, path, found): c.key(f) for c, f in wanted}
+            runs = {pool.submit(ask, c, f): c.key(f) for c, f in wanted}
             for done, run in enumerate(concurrent.futures.as_completed(runs), 1):
                 measured[runs[run]] = run.result()
                 MEASURED.write_text(json.dumps(measured, indent=1))
                 print(f"{done} of {len(wanted)}: {runs[run]} {cell(measured, runs[run])}", file=sys.stderr)
+        for resolver in resolvers:
+            resolver.close()
 
 
 def cell(measured, key):
@@ -164,7 +206,7 @@ def known():
     """What is measured, as (text of the base row, {(room, constant, value): cells}); else what the document says already."""
     if MEASURED.exists():
         measured = json.loads(MEASURED.read_text())
-        return figures(measured["base"]), {(c.room, c.name, c.value): [cell(measured, c.key(f)) for f in FACTORS] for c in constants()}
+        return f"**{figures(measured['base'])}** (code of {measured['commit']})", {(c.room, c.name, c.value): [cell(measured, c.key(f)) for f in FACTORS] for c in constants()}
     base, cells, room = None, {}, None
     for line in DOCUMENT.read_text().splitlines() if DOCUMENT.exists() else []:
         said, row = FIGURES.search(line), ROW.match(line)

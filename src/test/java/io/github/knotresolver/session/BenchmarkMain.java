@@ -40,7 +40,7 @@ public final class BenchmarkMain {
 
 	private final Path out;
 
-	private BenchmarkMain(final Path out) {
+	BenchmarkMain(final Path out) {
 		this.out = out;
 	}
 
@@ -51,14 +51,15 @@ public final class BenchmarkMain {
 	public static void main(final String[] args) throws IOException {
 		final BenchmarkMain benchmark = new BenchmarkMain(Path.of(args[0]));
 		final List<Path> movies = Arrays.stream(args).skip(2).map(Path::of).toList();
-		for (final String mode : args[1].split(","))
+		for (final String mode : args[1].split(",")) {
+			resolve(open(movies.get(0)), MODES.get(mode));
 			benchmark.run(mode, movies);
+		}
 	}
 
-	private void run(final String mode, final List<Path> movies) throws IOException {
+	void run(final String mode, final List<Path> movies) throws IOException {
 		final Path folder = Files.createDirectories(out.resolve(mode));
 		final Map<String, String> options = MODES.get(mode);
-		resolve(open(movies.get(0)), options);
 		try (PrintStream runs = writer(folder.resolve("runs.csv"))) {
 			runs.println("movie,seconds,failure");
 			for (final Path file : movies) {
