@@ -17,7 +17,7 @@ final class PairFit {
 	private final FitSettings settings;
 	private final int sweeps;
 
-	/** Two filaments in a frame, and what they cost. */
+	/** Two filaments in a frame, and what they cost; NaN if they are not priced. */
 	record Two(Chain a, Chain b, double price) {
 	}
 
@@ -48,19 +48,25 @@ final class PairFit {
 
 	/** Two chains near others, until neither moves. */
 	Two fitted(final Chain startA, final Chain startB) {
-		Chain a = startA, b = startB;
+		Two now = new Two(startA, startB, Double.NaN);
 		double moved = Double.POSITIVE_INFINITY;
 		for (int sweep = 0; sweep < sweeps && moved > SceneTuning.HALVES_STILL; sweep++) {
-			final Chain beforeA = a, beforeB = b;
-			scene.put(second, b);
-			a = fit(a);
-			scene.take(second);
-			scene.put(first, a);
-			b = fit(b);
-			scene.take(first);
-			moved = Math.max(a.farthest(beforeA), b.farthest(beforeB));
+			final Two before = now;
+			now = swept(before);
+			moved = Math.max(now.a.farthest(before.a), now.b.farthest(before.b));
 		}
-		return new Two(a, b, price(a, b));
+		return new Two(now.a, now.b, price(now.a, now.b));
+	}
+
+	/** Each of two chains fitted once beside the other; not priced. */
+	Two swept(final Two start) {
+		scene.put(second, start.b);
+		final Chain a = fit(start.a);
+		scene.take(second);
+		scene.put(first, a);
+		final Chain b = fit(start.b);
+		scene.take(first);
+		return new Two(a, b, Double.NaN);
 	}
 
 	private Chain fit(final Chain start) {

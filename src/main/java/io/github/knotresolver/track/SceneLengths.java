@@ -103,12 +103,13 @@ final class SceneLengths {
 		final List<double[]> found = workers.map((n + stride - 1) / stride,
 			i -> lengths(pass, which, i * stride, clear));
 		final List<Length> all = new ArrayList<>();
-		for (final int k : which) {
-			final int filament = which.indexOf(k);
+		for (int i = 0; i < which.size(); i++) {
+			final int filament = i;
 			final double[] seen = found.stream().mapToDouble(f -> f[filament])
 				.filter(Double::isFinite).toArray();
 			all.add(seen.length < SceneTuning.LENGTH_FEWEST
-				? new Length(pass.chains().get(0).get(k).length(), Double.NaN, Optional.empty())
+				? new Length(pass.chains().get(0).get(which.get(i)).length(), Double.NaN,
+					Optional.empty())
 				: length(seen));
 		}
 		return all;

@@ -106,7 +106,7 @@ final class TailExchanges {
 			&& !exchanges(a, b).isEmpty();
 	}
 
-	private List<TailSwap.Pair> exchanges(final Chain a, final Chain b) {
+	private List<PairFit.Two> exchanges(final Chain a, final Chain b) {
 		return thorough
 			? TailSwap.everywhere(a, b, SceneTuning.EXCHANGE_LENGTH)
 			: TailSwap.exchanged(a, b, SceneTuning.EXCHANGE_LENGTH);
@@ -118,17 +118,17 @@ final class TailExchanges {
 		final Chain a = filaments.get(i).chains().get(t), b = filaments.get(j).chains().get(t);
 		final PairFit pair = pair(filaments, i, j, t);
 		final double before = pair.price(a, b);
-		TailSwap.Pair tails = null, heads = null;
-		for (final TailSwap.Pair p : exchanges(a, b)) {
+		PairFit.Two tails = null, heads = null;
+		for (final PairFit.Two p : exchanges(a, b)) {
 			if (!shows(p.a(), a) || !shows(p.b(), b))
 				continue;
 			final double energy = pair.price(p.a(), p.b());
 			final boolean keepsHeads = p.a().start().distanceTo(a.start()) < SceneTuning.END_STAYS
 				&& p.b().start().distanceTo(b.start()) < SceneTuning.END_STAYS;
-			final TailSwap.Pair best = keepsHeads ? tails : heads;
-			if (energy >= (best == null ? before + SceneTuning.EXCHANGE_HOPELESS : best.energy()))
+			final PairFit.Two best = keepsHeads ? tails : heads;
+			if (energy >= (best == null ? before + SceneTuning.EXCHANGE_HOPELESS : best.price()))
 				continue;
-			final TailSwap.Pair better = new TailSwap.Pair(p.a(), p.b(), energy);
+			final PairFit.Two better = new PairFit.Two(p.a(), p.b(), energy);
 			if (keepsHeads)
 				tails = better;
 			else

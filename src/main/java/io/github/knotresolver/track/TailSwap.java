@@ -7,13 +7,12 @@ import java.util.List;
 import java.util.Optional;
 
 import io.github.knotresolver.fit.Chain;
-import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitSettings;
 import io.github.knotresolver.fit.Scene;
-import io.github.knotresolver.fit.SceneWindow;
 import io.github.knotresolver.geometry.GaussianSmoothing;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.track.PairFit.Two;
 
 /**
  * Two filaments that touch may have been given each other's tails: where light is missing,
@@ -21,6 +20,9 @@ import io.github.knotresolver.geometry.Polyline;
  * if both together become cheaper.
  */
 final class TailSwap {
+
+	/** So often two take turns. */
+	private static final int ROUNDS = 2;
 
 	private final Scene scene;
 	private final FitSettings settings;
@@ -42,10 +44,6 @@ final class TailSwap {
 		this.mismatch = mismatch;
 	}
 
-	/** Two chains instead of two others, and what they cost. */
-	record Pair(Chain a, Chain b, double energy) {
-	}
-
 	/**
 	 * Exchanges tails wherever that is better.
 	 *
@@ -63,54 +61,35 @@ final class TailSwap {
 
 	private void mend(final int i, final int j) {
 		final Chain a = scene.chain(i), b = scene.chain(j);
-		final List<Pair> exchanged = exchanged(a, b, SceneTuning.SWAP_LENGTH);
+		final List<Two> exchanged = exchanged(a, b, SceneTuning.SWAP_LENGTH);
 		if (exchanged.isEmpty())
 			return;
 		scene.take(i);
 		scene.take(j);
-		final double before = energy(i, j, a, b);
-		Pair best = null;
-		for (final Pair p : exchanged) {
-			final double energy = energy(i, j, p.a, p.b);
-			if (best == null || energy < best.energy)
-				best = new Pair(p.a, p.b, energy);
+		final PairFit pair = new PairFit(scene, i, j, settings, ROUNDS);
+		final double before = energy(pair, i, j, new Two(a, b, Double.NaN));
+		Two best = null;
+		for (final Two p : exchanged) {
+			final double energy = energy(pair, i, j, p);
+			if (best == null || energy < best.price())
+				best = new Two(p.a(), p.b(), energy);
 		}
-		final Pair fitted = fitted(i, j, best);
-		final boolean better = fitted.energy < before - SceneTuning.SWAP_BETTER;
-		scene.put(i, better ? fitted.a : a);
-		scene.put(j, better ? fitted.b : b);
+		Two fitted = best;
+		for (int round = 0; round < ROUNDS; round++)
+			fitted = pair.swept(fitted);
+		final boolean better = energy(pair, i, j, fitted) < before - SceneTuning.SWAP_BETTER;
+		scene.put(i, better ? fitted.a() : a);
+		scene.put(j, better ? fitted.b() : b);
 	}
 
 	/** What two chains cost together, leaving what was expected included. */
-	private double energy(final int i, final int j, final Chain a, final Chain b) {
-		final double one = scene.window(List.of(b)).price(b, settings).energy();
-		scene.put(j, b);
-		final double other = scene.window(List.of(a)).price(a, settings).energy();
-		scene.take(j);
-		return one + other + memory(a, expected.get(i)) + memory(b, expected.get(j));
+	private double energy(final PairFit pair, final int i, final int j, final Two two) {
+		return pair.price(two.a(), two.b()) + memory(two.a(), expected.get(i))
+			+ memory(two.b(), expected.get(j));
 	}
 
 	private double memory(final Chain chain, final Chain from) {
 		return settings.memory() * chain.length() * chain.squaredTurn(from);
-	}
-
-	private Pair fitted(final int i, final int j, final Pair start) {
-		Chain a = start.a, b = start.b;
-		for (int round = 0; round < 2; round++) {
-			scene.put(j, b);
-			a = fit(a);
-			scene.take(j);
-			scene.put(i, a);
-			b = fit(b);
-			scene.take(i);
-		}
-		return new Pair(a, b, energy(i, j, a, b));
-	}
-
-	private Chain fit(final Chain chain) {
-		final SceneWindow window = scene.window(List.of(chain));
-		final Fit fit = window.fit(chain, Optional.of(chain), settings);
-		return fit.chain();
 	}
 
 	/**
@@ -118,9 +97,9 @@ final class TailSwap {
 	 *
 	 * @param tolerance by so much (pixels) lengths may be off
 	 */
-	static List<Pair> exchanged(final Chain a, final Chain b, final double tolerance) {
+	static List<Two> exchanged(final Chain a, final Chain b, final double tolerance) {
 		final Polyline p = a.polyline(), q = b.polyline();
-		final List<Pair> all = new ArrayList<>();
+		final List<Two> all = new ArrayList<>();
 		int from = -1;
 		for (int i = 0; i <= p.size(); i++) {
 			final boolean near = i < p.size() && squared(p, i, q,
@@ -137,9 +116,9 @@ final class TailSwap {
 	}
 
 	/** The same, and all exchanges at places where they cross, of which a long touch has several. */
-	static List<Pair> everywhere(final Chain a, final Chain b, final double tolerance) {
+	static List<Two> everywhere(final Chain a, final Chain b, final double tolerance) {
 		final Polyline p = a.polyline(), q = b.polyline();
-		final List<Pair> all = exchanged(a, b, tolerance);
+		final List<Two> all = exchanged(a, b, tolerance);
 		for (int i = 0; i + 1 < p.size(); i++)
 			for (int k = 0; k + 1 < q.size(); k++)
 				if (cross(p, i, q, k))
@@ -174,7 +153,7 @@ final class TailSwap {
 
 	/** Exchanges what is behind a node of each. */
 	private static void exchange(final Chain a, final Chain b, final int[] nodes,
-		final double tolerance, final List<Pair> all) {
+		final double tolerance, final List<Two> all) {
 		final int i = nodes[0], j = nodes[1];
 		final List<Point> p = points(a), q = points(b);
 		final List<Point> headA = p.subList(0, i), tailA = p.subList(i, p.size());
@@ -185,15 +164,15 @@ final class TailSwap {
 	}
 
 	/** Two curves as the two filaments, in both ways. */
-	private static List<Pair> pairs(final Chain a, final Chain b, final List<List<Point>> curves,
+	private static List<Two> pairs(final Chain a, final Chain b, final List<List<Point>> curves,
 		final double tolerance) {
-		final List<Pair> pairs = new ArrayList<>();
+		final List<Two> pairs = new ArrayList<>();
 		if (curves.stream().allMatch(c -> c.size() >= SceneTuning.SWAP_NODES))
 			for (int one = 0; one < 2; one++) {
 				final Optional<Chain> first = as(a, curves.get(one), tolerance);
 				final Optional<Chain> second = as(b, curves.get(1 - one), tolerance);
 				if (first.isPresent() && second.isPresent())
-					pairs.add(new Pair(first.get(), second.get(), 0));
+					pairs.add(new Two(first.get(), second.get(), Double.NaN));
 			}
 		return pairs;
 	}
