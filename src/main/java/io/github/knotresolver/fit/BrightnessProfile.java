@@ -1,6 +1,9 @@
 package io.github.knotresolver.fit;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.ArrayRealVector;
@@ -14,103 +17,179 @@ import io.github.knotresolver.fit.LineEstimator.LineEstimate;
  * the tip. The profile is piecewise linear; as the picture of a chain is linear in its
  * brightness, it follows from linear least squares over all examples, held near 1 where
  * the pictures say little. If it is noticeable so, it is held straight instead of near 1: a
- * dim tip that is taken for brighter than it is makes the fitted curve end before it.
+ * dim tip that is taken for brighter than it is makes the fitted curve end before it. For the
+ * same reason its knots are closer near the ends, where a filament may taper.
  */
 final class BrightnessProfile {
 
-	private BrightnessProfile() {
+	private final List<Example> examples;
+	private final LineEstimate line;
+	private final double length;
+
+	private BrightnessProfile(final List<Example> examples, final LineEstimate line) {
+		this.examples = examples;
+		this.line = line;
+		length = examples.get(0).chain().length();
 	}
 
 	/**
 	 * @param examples frames and curves
 	 * @param line the line, uniform
+	 * @param uneven whether it is known to be uneven, little as it may be
 	 * @return relative brightness at equal spacing from the fixed end to the tip
 	 */
-	static double[] estimate(final List<Example> examples, final LineEstimate line) {
-		final double length = examples.get(0).chain().length();
+	static double[] estimate(final List<Example> examples, final LineEstimate line,
+		final boolean uneven) {
+		return new BrightnessProfile(examples, line).estimate(uneven);
+	}
+
+	private double[] estimate(final boolean uneven) {
+		final double weight = FitTuning.PROFILE_HOLD * examples.size();
+		final double[] even = evenKnots();
+		final Normal held = new Normal(even);
+		held.hold(weight);
+		final boolean varies = varies(held.solved());
+		final double[] knots = withEnds(even);
+		final Normal straight = new Normal(knots);
+		straight.hold(FitTuning.PROFILE_PULL * weight);
+		straight.holdStraight(even, weight,
+			Math.min(1, line.residual() / FitTuning.END_MISFIT) * weight);
+		final double[] profile = straight.solved();
+		if (!uneven && !varies && !varies(new double[]{profile[0], profile[profile.length - 1]}))
+			return new double[]{1};
+		final double[] sampled = new double[1 + (int) Math.ceil(length)];
+		for (int i = 0; i < sampled.length; i++)
+			sampled[i] = at((double) i / (sampled.length - 1), knots, profile);
+		return sampled;
+	}
+
+	/** Places of knots at equal spacing, as shares of the length. */
+	private double[] evenKnots() {
 		final int knots = Math.max(FitTuning.FEWEST_KNOTS,
 			Math.min(FitTuning.MOST_KNOTS, 1 + (int) Math.rint(length / FitTuning.KNOT_SPACING)));
-		final double[][] matrix = new double[knots][knots];
-		final double[] right = new double[knots];
-		hold(matrix, right, FitTuning.PROFILE_HOLD * examples.size());
-		for (final Example example : examples)
-			add(example, line, matrix, right);
-		if (!noticeable(solved(matrix, right)))
-			return new double[]{1};
-		hold(matrix, right,
-			-(1 - FitTuning.PROFILE_PULL) * FitTuning.PROFILE_HOLD * examples.size());
-		holdStraight(matrix, FitTuning.PROFILE_HOLD * examples.size());
-		final double[] profile = solved(matrix, right);
-		noticeable(profile);
-		return profile;
+		return IntStream.range(0, knots).mapToDouble(k -> (double) k / (knots - 1)).toArray();
 	}
 
-	/** Draws all knots towards 1. */
-	private static void hold(final double[][] matrix, final double[] right, final double weight) {
-		for (int k = 0; k < right.length; k++) {
-			matrix[k][k] += weight;
-			right[k] += weight;
+	/** The same and more of them near both ends. */
+	private double[] withEnds(final double[] even) {
+		final DoubleStream.Builder knots = DoubleStream.builder();
+		for (final double knot : even)
+			knots.add(knot);
+		for (final double from : FitTuning.END_KNOTS)
+			if (from < FitTuning.END_KNOTS_ROOM * even[1] * length) {
+				knots.add(from / length);
+				knots.add(1 - from / length);
+			}
+		return knots.build().sorted().toArray();
+	}
+
+	private static double at(final double place, final double[] knots, final double[] values) {
+		final int found = Arrays.binarySearch(knots, place);
+		if (found >= 0)
+			return limited(values[found]);
+		final int next = -found - 1;
+		final double share = (place - knots[next - 1]) / (knots[next] - knots[next - 1]);
+		return (1 - share) * limited(values[next - 1]) + share * limited(values[next]);
+	}
+
+	private static double limited(final double value) {
+		return Math.max(FitTuning.DIMMEST, Math.min(FitTuning.BRIGHTEST, value));
+	}
+
+	private static boolean varies(final double[] profile) {
+		return Arrays.stream(profile).anyMatch(b -> Math.abs(b - 1) > FitTuning.UNEVEN);
+	}
+
+	/** The normal equations of the brightness at knots. */
+	private final class Normal {
+
+		private final double[] knots;
+		private final double[][] matrix;
+		private final double[] right;
+
+		Normal(final double[] knots) {
+			this.knots = knots;
+			matrix = new double[knots.length][knots.length];
+			right = new double[knots.length];
+			examples.forEach(this::add);
 		}
-	}
 
-	/** Draws every knot towards the middle of its neighbours. */
-	private static void holdStraight(final double[][] matrix, final double weight) {
-		final double[] bend = {-0.5, 1, -0.5};
-		for (int k = 1; k + 1 < matrix.length; k++)
-			for (int i = 0; i < bend.length; i++)
-				for (int j = 0; j < bend.length; j++)
-					matrix[k - 1 + i][k - 1 + j] += weight * bend[i] * bend[j];
-	}
-
-	private static double[] solved(final double[][] matrix, final double[] right) {
-		return new CholeskyDecomposition(new Array2DRowRealMatrix(matrix, true)).getSolver()
-			.solve(new ArrayRealVector(right, true)).toArray();
-	}
-
-	private static void add(final Example example, final LineEstimate line, final double[][] matrix,
-		final double[] right) {
-		final int knots = right.length;
-		final LineEstimator.Around around = example.around();
-		final double[][] pictures = new double[knots][];
-		for (int k = 0; k < knots; k++) {
-			final double[] hat = new double[knots];
-			hat[k] = 1;
-			pictures[k] = ChainPixels.draw(example.frame(), line.model().withBrightness(hat),
-				example.chain(), around.patch());
-		}
-		final double[] pixels = around.part().pixels();
-		for (int i = 0; i < pixels.length; i++) {
-			if (!around.near()[i])
-				continue;
-			final double value = (pixels[i] - line.background()) / line.amplitude();
-			if (isCutOff(around.part(), i, line, pictures))
-				continue;
-			for (int k = 0; k < knots; k++) {
-				if (pictures[k][i] == 0)
-					continue;
-				right[k] += pictures[k][i] * value;
-				for (int m = 0; m < knots; m++)
-					matrix[k][m] += pictures[k][i] * pictures[m][i];
+		/** Draws all knots towards 1. */
+		void hold(final double weight) {
+			for (int k = 0; k < right.length; k++) {
+				matrix[k][k] += weight;
+				right[k] += weight;
 			}
 		}
-	}
 
-	/** Whether a line as it is expected is cut off somewhere. */
-	private static boolean isCutOff(final NormalizedFrame frame, final int at,
-		final LineEstimate line, final double[][] pictures) {
-		double uniform = 0;
-		for (final double[] picture : pictures)
-			uniform += picture[at];
-		return line.model().kind() == LineModel.Kind.ADDITIVE
-			&& frame.hides(at, line.background() + line.amplitude() * uniform);
-	}
-
-	private static boolean noticeable(final double[] profile) {
-		boolean varies = false;
-		for (int k = 0; k < profile.length; k++) {
-			profile[k] = Math.max(FitTuning.DIMMEST, Math.min(FitTuning.BRIGHTEST, profile[k]));
-			varies |= Math.abs(profile[k] - 1) > FitTuning.UNEVEN;
+		/**
+		 * Draws every knot towards the line through its neighbours.
+		 *
+		 * @param even those at equal spacing
+		 * @param weight of these
+		 * @param end weight of the others
+		 */
+		void holdStraight(final double[] even, final double weight, final double end) {
+			for (int k = 1; k + 1 < matrix.length; k++) {
+				final double hold = Arrays.binarySearch(even, knots[k]) < 0 ? end : weight;
+				final double share = (knots[k] - knots[k - 1]) / (knots[k + 1] - knots[k - 1]);
+				final double[] bend = {share - 1, 1, -share};
+				for (int i = 0; i < bend.length; i++)
+					for (int j = 0; j < bend.length; j++)
+						matrix[k - 1 + i][k - 1 + j] += hold * bend[i] * bend[j];
+			}
 		}
-		return varies;
+
+		double[] solved() {
+			return new CholeskyDecomposition(new Array2DRowRealMatrix(matrix, true)).getSolver()
+				.solve(new ArrayRealVector(right, true)).toArray();
+		}
+
+		private void add(final Example example) {
+			final LineEstimator.Around around = example.around();
+			final double[][] pictures = IntStream.range(0, knots.length)
+				.mapToObj(k -> ChainPixels.draw(example.frame(),
+					line.model().withBrightness(hat(k)), example.chain(), around.patch()))
+				.toArray(double[][]::new);
+			final double[] pixels = around.part().pixels();
+			for (int i = 0; i < pixels.length; i++)
+				if (around.near()[i] && !isCutOff(around.part(), i, pictures))
+					add(pictures, i, (pixels[i] - line.background()) / line.amplitude());
+		}
+
+		/** What is 1 at a knot and 0 at all others. */
+		private double[] hat(final int knot) {
+			final double[] hat = new double[1 + 2 * (int) Math.ceil(length)];
+			for (int i = 0; i < hat.length; i++) {
+				final double place = (double) i / (hat.length - 1);
+				final double edge = place < knots[knot]
+					? knots[Math.max(0, knot - 1)]
+					: knots[Math.min(knots.length - 1, knot + 1)];
+				hat[i] = place == knots[knot]
+					? 1
+					: Math.max(0, 1 - (place - knots[knot]) / (edge - knots[knot]));
+			}
+			return hat;
+		}
+
+		private void add(final double[][] pictures, final int at, final double value) {
+			for (int k = 0; k < right.length; k++) {
+				if (pictures[k][at] == 0)
+					continue;
+				right[k] += pictures[k][at] * value;
+				for (int m = 0; m < right.length; m++)
+					matrix[k][m] += pictures[k][at] * pictures[m][at];
+			}
+		}
+
+		/** Whether a line as it is expected is cut off somewhere. */
+		private boolean isCutOff(final NormalizedFrame frame, final int at,
+			final double[][] pictures) {
+			double uniform = 0;
+			for (final double[] picture : pictures)
+				uniform += picture[at];
+			return line.model().kind() == LineModel.Kind.ADDITIVE
+				&& frame.hides(at, line.background() + line.amplitude() * uniform);
+		}
 	}
 }

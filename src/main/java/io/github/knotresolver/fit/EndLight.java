@@ -110,7 +110,7 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 			final Piece piece = beyondTip(grown);
 			if (!piece.isThere())
 				break;
-			grown = longer(grown, piece.angle);
+			grown = longer(grown, piece.angle, piece());
 		}
 		if (grown == chain)
 			for (int i = 0; i < FitTuning.MOST_PIECES && grown.length() > 4 * piece(); i++) {
@@ -122,15 +122,27 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 		return grown;
 	}
 
-	private Chain longer(final Chain chain, final double angle) {
+	/**
+	 * A chain with the light beyond its tip, in which that is as bright as its end.
+	 *
+	 * @param chain a chain
+	 * @param beyond the piece beyond its tip
+	 * @return the chain, longer by at most a piece
+	 */
+	Chain grown(final Chain chain, final Piece beyond) {
+		return longer(chain, beyond.angle,
+			Math.max(0, Math.min(1, beyond.brightness)) * piece());
+	}
+
+	private static Chain longer(final Chain chain, final double angle, final double by) {
 		final Polyline nodes = chain.polyline();
 		final List<Point> points = new ArrayList<>();
 		for (int i = 0; i < nodes.size(); i++)
 			points.add(nodes.point(i));
 		final Point tip = nodes.last();
 		points.add(
-			new Point(tip.x() + piece() * Math.cos(angle), tip.y() + piece() * Math.sin(angle)));
-		return Chain.along(Polyline.of(points), chain.links(), chain.length() + piece());
+			new Point(tip.x() + by * Math.cos(angle), tip.y() + by * Math.sin(angle)));
+		return Chain.along(Polyline.of(points), chain.links(), chain.length() + by);
 	}
 
 	/** The pixels around an end. */

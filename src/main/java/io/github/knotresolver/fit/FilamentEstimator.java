@@ -114,12 +114,23 @@ public final class FilamentEstimator {
 			return workers.map(examples.size(), i -> {
 				progress.checkCancelled();
 				final Example e = examples.get(i);
-				final NormalizedFrame frame = scaled(e, line);
+				final NormalizedFrame frame = line.scaled(e);
 				final Chain begin = fromSkeletons
 					? fit(frame, line, e.chain(), start(i), stiff()).chain()
 					: e.chain();
 				return new Example(e.frame(), fit(frame, line, begin, start(i), endsFree).chain());
 			});
+		}
+
+		/**
+		 * The examples with the light that goes on beyond an end in most of them, dim as it may be.
+		 * In frames that were blurred, noise looks like light.
+		 */
+		List<Example> towardsLight(final List<Example> examples, final LineEstimate line) {
+			return examples.size() < FitTuning.FEWEST_TAPERS
+				|| endsFree.stiffness() != FitSettings.ENDS_FREE.stiffness()
+					? examples
+					: new TaperedEnds(line, workers).grown(examples);
 		}
 
 		private FitSettings stiff() {
@@ -131,7 +142,7 @@ public final class FilamentEstimator {
 			return workers.map(examples.size(), i -> {
 				progress.checkCancelled();
 				final Example e = examples.get(i);
-				final NormalizedFrame frame = scaled(e, line);
+				final NormalizedFrame frame = line.scaled(e);
 				final EndLight ends = new EndLight(frame, line.model(), frame.noise());
 				final List<Chain> ways = new ArrayList<>(List.of(e.chain()));
 				for (final Polyline other : sightings.get(i).others)
@@ -144,12 +155,8 @@ public final class FilamentEstimator {
 			});
 		}
 
-		private static NormalizedFrame scaled(final Example e, final LineEstimate line) {
-			return e.frame().rescaled(line.background(), line.amplitude());
-		}
-
-		private static Fit fit(final NormalizedFrame frame, final LineEstimate line,
-			final Chain start, final Optional<Point> hold, final FitSettings settings) {
+		private static Fit fit(final NormalizedFrame frame, final LineEstimate line, final Chain start,
+			final Optional<Point> hold, final FitSettings settings) {
 			return new FilamentFitter(frame, line.model(), start.links(), hold,
 				hold.isPresent() ? settings.withClampWeight(FitTuning.START_HELD) : settings)
 				.fit(start, Optional.empty());
@@ -216,12 +223,13 @@ public final class FilamentEstimator {
 		LineEstimate line = first.line;
 		// Along what is no line, no profile is learned: nothing comes of it.
 		for (int round = 0; round < FitTuning.MOST_PROFILE_ROUNDS && isLine(line); round++) {
-			final double[] brightness = BrightnessProfile.estimate(examples, line);
+			final List<Example> grown = fitting.towardsLight(examples, line);
+			final double[] brightness = BrightnessProfile.estimate(grown, line, grown != examples);
 			if (brightness.length == 1)
 				break;
 			line = line.withModel(line.model().withBrightness(brightness));
 			final double before = usualLength(examples);
-			examples = fitting.again(examples, line, false);
+			examples = fitting.again(grown, line, false);
 			if (round + 1 >= FitTuning.FEWEST_PROFILE_ROUNDS
 				&& Math.abs(usualLength(examples) / before - 1) < FitTuning.PROFILE_SETTLED)
 				break;

@@ -26,6 +26,42 @@ final class FitTuning {
 	 */
 	static final double KNOT_SPACING = 12;
 
+	/**
+	 * [px] A profile has knots at these distances from its ends, too. Why: an end tapers within a
+	 * few line widths, and where it ends depends on how bright it is there.
+	 */
+	static final double[] END_KNOTS = {2.5, 5, 8};
+
+	/**
+	 * [spacings] ... as far as they are within this part of the usual spacing. Why: knots that
+	 * nearly fall together say nothing more.
+	 */
+	static final double END_KNOTS_ROOM = 0.75;
+
+	/**
+	 * [strands²] These are held straight as much as others if a pixel's misfit is so large, and less
+	 * where it is smaller. Why: what is seen clearly needs no holding.
+	 */
+	static final double END_MISFIT = 0.05;
+
+	/**
+	 * [frames] Fewer do not tell whether an end tapers. Why: two may have the same neighbour beyond
+	 * it.
+	 */
+	static final int FEWEST_TAPERS = 5;
+
+	/**
+	 * [strands] Light beyond an end of which half of the frames have so much belongs to it. Why: a
+	 * blunt end leaves 0.02.
+	 */
+	static final double TAPER_BRIGHT = 0.06;
+
+	/**
+	 * [noise sigma] ... if it is so sure in all frames together. Why: the best of seven headings
+	 * reaches four where there is nothing.
+	 */
+	static final double TAPER_SURE = 6.5;
+
 	/** [knots] A profile has at least so many. Why: a cubic has four. */
 	static final int FEWEST_KNOTS = 4;
 
@@ -47,8 +83,8 @@ final class FitTuning {
 	 */
 	static final double UNEVEN = 0.15;
 
-	/** [strands] No part of a filament is dimmer. Why: it could not be told from background. */
-	static final double DIMMEST = 0.25;
+	/** [strands] No part of a filament is dimmer. Why: its end could not be told from background. */
+	static final double DIMMEST = 0.15;
 
 	/** [strands] ... or brighter. Why: that would be two strands. */
 	static final double BRIGHTEST = 2;
@@ -143,13 +179,13 @@ final class FitTuning {
 	static final int FEWEST_PROFILE_ROUNDS = 3;
 
 	/** [rounds] ... and at most. Why: what has not settled then goes to and fro. */
-	static final int MOST_PROFILE_ROUNDS = 12;
+	static final int MOST_PROFILE_ROUNDS = 24;
 
 	/**
 	 * [share] The length has settled if it changes by less. Why: it is known to several times
 	 * that.
 	 */
-	static final double PROFILE_SETTLED = 1e-3;
+	static final double PROFILE_SETTLED = 3e-4;
 
 	/**
 	 * [frames] So many frames are enough to learn the line. Why: each has hundreds of pixels along

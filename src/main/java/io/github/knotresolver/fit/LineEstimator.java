@@ -110,6 +110,11 @@ public final class LineEstimator {
 				: frame.hides(at, amplitude * picture + background);
 		}
 
+		/** An example's frame, a strand's brightness 1. */
+		NormalizedFrame scaled(final Example example) {
+			return example.frame.rescaled(background, amplitude);
+		}
+
 		LineEstimate withModel(final LineModel other) {
 			return new LineEstimate(other, amplitude, background, residual, unexplained);
 		}

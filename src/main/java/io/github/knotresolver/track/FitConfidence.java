@@ -21,7 +21,7 @@ record FitConfidence(double usualMisfit) {
 
 	/** In the order of {@link FitEvidence#NAMES}. */
 	private static final double[] WEIGHTS = {5.14, 0, 7.17, 7.52, 15.33, 7.01, 2.64, 5.46, 2.67, 0,
-		2, 7, 7};
+		2, 7, 7, 7};
 
 	static FitConfidence learn(final List<Optional<FitQuality>> quality) {
 		final double[] misfits = quality.stream().flatMap(Optional::stream)

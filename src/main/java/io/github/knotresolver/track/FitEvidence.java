@@ -23,16 +23,18 @@ import java.util.Locale;
  * @param faint how strong the noise of a pixel is beside a strand, beyond what is harmless
  * @param folded how far the contour turns back on itself within the width of a line
  * @param elsewhere in how many of the movie's frames contours do not end where their light does
+ * @param worse how much stronger the pattern is than in most of the movie's frames, where it is
+ *          beyond noise
  */
 public record FitEvidence(double rival, double misfit, double pattern, double dark,
 	double unexplained, double invented, double beyond, double missing, double uncovered,
-	double jump, double faint, double folded, double elsewhere) {
+	double jump, double faint, double folded, double elsewhere, double worse) {
 
 	/** Each figure is cut off here: more of it makes nothing worse. */
-	private static final double[] MOST = {1, 2, 1, 0.5, 0.25, 0.5, 1, 1, 1, 3, 1, 1, 1};
+	private static final double[] MOST = {1, 2, 1, 0.5, 0.25, 0.5, 1, 1, 1, 3, 1, 1, 1, 1};
 
 	/** Names of the figures, in order. */
-	public static final String NAMES = "rival,misfit,pattern,dark,unexplained,invented,beyond,missing,uncovered,jump,faint,folded,elsewhere";
+	public static final String NAMES = "rival,misfit,pattern,dark,unexplained,invented,beyond,missing,uncovered,jump,faint,folded,elsewhere,worse";
 
 	/** The figures from this one on are no more than doubts. */
 	static final int DOUBTS = 11;
@@ -48,6 +50,18 @@ public record FitEvidence(double rival, double misfit, double pattern, double da
 			/ (TrackTuning.HOPELESS_TURN - TrackTuning.HARMLESS_TURN));
 	}
 
+	/**
+	 * How much stronger the pattern of what is left is than usual, as a figure.
+	 *
+	 * @param pattern logarithm of the residual around a contour in units of the noise
+	 * @param usual the same in the middle of the movie's frames
+	 */
+	static double worse(final double pattern, final double usual) {
+		return Math.max(0,
+			(pattern - Math.max(TrackTuning.PLAIN_PATTERN, usual + TrackTuning.USUAL_PATTERN))
+				/ TrackTuning.UNUSUAL_PATTERN);
+	}
+
 	private static final String[] WORDS = {"a different contour explains the movie nearly as well",
 		"the contour explains this frame worse than others are explained",
 		"light around the contour differs from what is expected, beyond noise",
@@ -59,12 +73,13 @@ public record FitEvidence(double rival, double misfit, double pattern, double da
 		"the contour moved much farther than usual since the frame before or to the next",
 		"noise is so strong that a wrong contour may look right",
 		"the contour turns back within the width of a line, as it does to explain a spot",
-		"in other frames the contour does not end where its light does, so its length or an end is not right"};
+		"in other frames the contour does not end where its light does, so its length or an end is not right",
+		"light around the contour differs more from what is expected than in other frames"};
 
 	/** @return the figures in the order of their names, none negative, none above what matters */
 	public double[] figures() {
 		final double[] figures = {rival, misfit, pattern, dark, unexplained, invented, beyond,
-			missing, uncovered, jump, faint, folded, elsewhere};
+			missing, uncovered, jump, faint, folded, elsewhere, worse};
 		for (int i = 0; i < figures.length; i++)
 			figures[i] = Double.isNaN(figures[i])
 				? MOST[i]

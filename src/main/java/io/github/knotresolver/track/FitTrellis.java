@@ -13,6 +13,7 @@ import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitQuality;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.model.Alternative;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
@@ -68,6 +69,8 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 		}
 		final double elsewhere = FitLook
 			.elsewhere(seen.stream().flatMap(Optional::stream).toList());
+		final double pattern = RobustStatistics.upperMedian(seen.stream().flatMap(Optional::stream)
+			.mapToDouble(l -> pattern(l)).toArray(), 0);
 		final FitConfidence confidence = FitConfidence
 			.learn(seen.stream().map(s -> s.map(FitLook::quality)).toList());
 		final List<Observation> tracked = new ArrayList<>();
@@ -75,7 +78,7 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 		for (int t = 0; t < pools.size(); t++) {
 			final int frame = t;
 			evidence.add(seen.get(t).filter(s -> isTrusted(s.quality()))
-				.map(s -> evidence(frame, path, s, new Rest(confidence, motion, elsewhere))));
+				.map(s -> evidence(frame, path, s, new Rest(confidence, motion, elsewhere, pattern))));
 			tracked.add(tracked(t, path, seen.get(t).map(FitLook::quality), evidence.get(t),
 				Optional.ofNullable(said.get(t))));
 		}
@@ -147,18 +150,23 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 	}
 
 	/** What the whole movie says. */
-	private record Rest(FitConfidence confidence, MotionPrice motion, double elsewhere) {
+	private record Rest(FitConfidence confidence, MotionPrice motion, double elsewhere,
+		double pattern) {
 	}
 
 	private FitEvidence evidence(final int t, final TrellisPath path, final FitLook look,
 		final Rest rest) {
 		return new FitEvidence(FitConfidence.rival(FitConfidence.gap(path, pools.get(t), t)),
-			rest.confidence.misfit(look.quality()), Math.log(Math.max(1, look.residue().pattern())),
+			rest.confidence.misfit(look.quality()), pattern(look),
 			look.quality().dark(), look.residue().unexplained(), look.residue().invented(),
 			look.beyond(), look.missing(), look.uncovered(), jump(t, path, rest.motion),
 			FitEvidence.faint(course.noise()), FitEvidence.folded(SharpestTurn
 				.of(chosen(t, path).chain().contour(), course.estimate().model().sigma())),
-			rest.elsewhere);
+			rest.elsewhere, FitEvidence.worse(pattern(look), rest.pattern));
+	}
+
+	private static double pattern(final FitLook look) {
+		return Math.log(Math.max(1, look.residue().pattern()));
 	}
 
 	/** How much farther than usual the chosen chain moved, from the frame before or to the next. */

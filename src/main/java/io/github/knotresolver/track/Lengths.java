@@ -47,7 +47,7 @@ record Lengths(double[] whole, double longestCut, double cutShare,
 		if (changing.isPresent())
 			return estimate.withLength(
 				Arrays.stream(changing.get().lengths()).max().orElse(estimate.length()));
-		if (cutShare <= TrackTuning.CUT_FRAMES)
+		if (cutShare <= TrackTuning.CUT_FRAMES && !Double.isNaN(estimate.lengthError()))
 			return estimate;
 		if (whole.length < TrackTuning.WHOLE_FRAMES)
 			return estimate.withLength(Math.max(estimate.length(), longestCut));

@@ -542,6 +542,21 @@ final class TrackTuning {
 	static final double HOPELESS_TURN = 2.6;
 
 	/**
+	 * [ln] A residual so much above the noise is plain. Why: what is left of a right contour comes
+	 * near it where the line model is not quite that of the object.
+	 */
+	static final double PLAIN_PATTERN = 0.68;
+
+	/** [ln] ... if it is so much above that of most frames. Why: right ones differ by less. */
+	static final double USUAL_PATTERN = 0.06;
+
+	/**
+	 * [ln] ... and by this beyond is as bad as it gets. Why: where the tails of a worm (wormpose40 of
+	 * other people's movies) lie on each other, contours that took the wrong one are beyond it.
+	 */
+	static final double UNUSUAL_PATTERN = 0.03;
+
+	/**
 	 * [share] The light beyond an end, or missing at it, that says that the contour does not end
 	 * there. Why: it is the half of a strand's.
 	 */

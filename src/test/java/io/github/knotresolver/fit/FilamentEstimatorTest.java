@@ -60,6 +60,19 @@ class FilamentEstimatorTest {
 		assertEquals(LENGTH, estimate.length(), 0.01 * LENGTH);
 	}
 
+	/** Like a worm: bright up to the last tenth at both ends, and there dimmer and dimmer. */
+	@Test
+	void endsThatTaperAreFollowedToTheirLight() {
+		final double[] tapering = new double[21];
+		Arrays.fill(tapering, 1);
+		for (int i = 0; i < 3; i++)
+			tapering[i] = tapering[20 - i] = 0.2 + 0.25 * i;
+		final FilamentEstimate estimate = estimate(
+			new LineModel(LineModel.Kind.ADDITIVE, 1.7, 1, tapering));
+		assertEquals(LENGTH, estimate.length(), 0.035 * LENGTH);
+		assertEquals(0, estimate.fixedEnd().distanceTo(new Point(22.4, 55.3)), 1.8);
+	}
+
 	@Test
 	void whatTheCameraCutsOffDoesNotShortenAFilament() {
 		final double noise = 0.05, ceiling = 0.55;

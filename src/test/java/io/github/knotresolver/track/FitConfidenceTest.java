@@ -24,7 +24,7 @@ class FitConfidenceTest {
 
 	private static FitEvidence evidence(final double... f) {
 		return new FitEvidence(f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8], f[9], f[10],
-			f[11], f[12]);
+			f[11], f[12], f[13]);
 	}
 
 	private static double confidence(final double... figures) {
@@ -62,6 +62,19 @@ class FitConfidenceTest {
 			assertTrue(confidence(figures) < 0.5);
 			assertEquals(confidence(figures), doubtedOnce, 1e-12);
 		}
+	}
+
+	@Test
+	void aPatternThatIsPlainIsADoubtWhereOthersHaveNone() {
+		assertEquals(0, FitEvidence.worse(0.6, 0.1), 1e-12);
+		assertEquals(0, FitEvidence.worse(0.9, 0.85), 1e-12);
+		assertTrue(FitEvidence.worse(0.9, 0.6) > 1);
+		final double[] figures = new double[FIGURES];
+		figures[2] = 0.9;
+		final double before = confidence(figures);
+		figures[FIGURES - 1] = FitEvidence.worse(0.9, 0.6);
+		assertTrue(before > 0.9, before + "");
+		assertEquals(0.5, confidence(figures), 1e-12);
 	}
 
 	@Test

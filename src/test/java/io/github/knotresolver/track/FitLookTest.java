@@ -43,7 +43,7 @@ class FitLookTest {
 	@Test
 	void anEndThatIsWrongInOtherFramesMakesEachDoubtful() {
 		final FitEvidence evidence = new FitEvidence(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-			elsewhere(6, look(1, 0)));
+			elsewhere(6, look(1, 0)), 0);
 		assertTrue(FitConfidence.of(evidence) < Observation.SURE);
 		assertTrue(FitConfidence.reason(evidence).contains("in other frames"));
 	}
