@@ -49,7 +49,9 @@ final class BrightnessProfile {
 		final Normal held = new Normal(even);
 		held.hold(weight);
 		final boolean varies = varies(held.solved());
-		final double[] knots = withEnds(even);
+		final double[] knots = line.model().kind() == LineModel.Kind.ADDITIVE
+			? withEnds(even)
+			: even;
 		final Normal straight = new Normal(knots);
 		straight.hold(FitTuning.PROFILE_PULL * weight);
 		straight.holdStraight(even, weight,

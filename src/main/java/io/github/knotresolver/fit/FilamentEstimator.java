@@ -124,10 +124,12 @@ public final class FilamentEstimator {
 
 		/**
 		 * The examples with the light that goes on beyond an end in most of them, dim as it may be.
-		 * In frames that were blurred, noise looks like light.
+		 * In frames that were blurred, noise looks like light; and how blunt the end of a line is whose
+		 * light does not add up is not known.
 		 */
 		List<Example> towardsLight(final List<Example> examples, final LineEstimate line) {
-			return examples.size() < FitTuning.FEWEST_TAPERS
+			return line.model().kind() != LineModel.Kind.ADDITIVE
+				|| examples.size() < FitTuning.FEWEST_TAPERS
 				|| endsFree.stiffness() != FitSettings.ENDS_FREE.stiffness()
 					? examples
 					: new TaperedEnds(line, workers).grown(examples);
