@@ -77,7 +77,8 @@ final class BrightnessProfile {
 		final DoubleStream.Builder knots = DoubleStream.builder();
 		for (final double knot : even)
 			knots.add(knot);
-		for (final double from : FitTuning.END_KNOTS)
+		for (final double from : new double[]{FitTuning.END_KNOT, FitTuning.SECOND_END_KNOT,
+			FitTuning.THIRD_END_KNOT})
 			if (from < FitTuning.END_KNOTS_ROOM * even[1] * length) {
 				knots.add(from / length);
 				knots.add(1 - from / length);

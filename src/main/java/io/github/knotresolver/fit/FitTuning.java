@@ -27,10 +27,16 @@ final class FitTuning {
 	static final double KNOT_SPACING = 12;
 
 	/**
-	 * [px] A profile has knots at these distances from its ends, too. Why: an end tapers within a
-	 * few line widths, and where it ends depends on how bright it is there.
+	 * [px] A profile has a knot so near to its ends. Why: an end tapers within a few line widths, and
+	 * where it ends depends on how bright it is there.
 	 */
-	static final double[] END_KNOTS = {2.5, 5, 8};
+	static final double END_KNOT = 2.5;
+
+	/** [px] ... a second one so far from them. Why: about as far from the first. */
+	static final double SECOND_END_KNOT = 5;
+
+	/** [px] ... and a third. Why: half way to the usual spacing. */
+	static final double THIRD_END_KNOT = 8;
 
 	/**
 	 * [spacings] ... as far as they are within this part of the usual spacing. Why: knots that
