@@ -35,15 +35,13 @@ final class BrightnessProfile {
 	/**
 	 * @param examples frames and curves
 	 * @param line the line, uniform
-	 * @param uneven whether it is known to be uneven, little as it may be
 	 * @return relative brightness at equal spacing from the fixed end to the tip
 	 */
-	static double[] estimate(final List<Example> examples, final LineEstimate line,
-		final boolean uneven) {
-		return new BrightnessProfile(examples, line).estimate(uneven);
+	static double[] estimate(final List<Example> examples, final LineEstimate line) {
+		return new BrightnessProfile(examples, line).estimate();
 	}
 
-	private double[] estimate(final boolean uneven) {
+	private double[] estimate() {
 		final double weight = FitTuning.PROFILE_HOLD * examples.size();
 		final double[] even = evenKnots();
 		final Normal held = new Normal(even);
@@ -57,7 +55,8 @@ final class BrightnessProfile {
 		straight.holdStraight(even, weight,
 			Math.min(1, line.residual() / FitTuning.END_MISFIT) * weight);
 		final double[] profile = straight.solved();
-		if (!uneven && !varies && !varies(new double[]{profile[0], profile[profile.length - 1]}))
+		if (!varies && profile[0] > FitTuning.DIM_END
+			&& profile[profile.length - 1] > FitTuning.DIM_END)
 			return new double[]{1};
 		final double[] sampled = new double[1 + (int) Math.ceil(length)];
 		for (int i = 0; i < sampled.length; i++)

@@ -226,7 +226,7 @@ public final class FilamentEstimator {
 		// Along what is no line, no profile is learned: nothing comes of it.
 		for (int round = 0; round < FitTuning.MOST_PROFILE_ROUNDS && isLine(line); round++) {
 			final List<Example> grown = fitting.towardsLight(examples, line);
-			final double[] brightness = BrightnessProfile.estimate(grown, line, grown != examples);
+			final double[] brightness = BrightnessProfile.estimate(grown, line);
 			if (brightness.length == 1)
 				break;
 			line = line.withModel(line.model().withBrightness(brightness));

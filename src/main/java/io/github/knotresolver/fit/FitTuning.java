@@ -89,6 +89,12 @@ final class FitTuning {
 	 */
 	static final double UNEVEN = 0.15;
 
+	/**
+	 * [strands] A filament with a dimmer end is not even, either. Why: haze at an end takes a sixth
+	 * of its brightness, and a tapering one loses most of it.
+	 */
+	static final double DIM_END = 0.7;
+
 	/** [strands] No part of a filament is dimmer. Why: its end could not be told from background. */
 	static final double DIMMEST = 0.15;
 
