@@ -28,6 +28,10 @@ record FilamentCourse(FilamentEstimate estimate, AnchorPath anchor, LengthCourse
 		return new FilamentCourse(estimate, anchor, other, noise, stiffness);
 	}
 
+	FilamentCourse withEstimate(final FilamentEstimate other) {
+		return new FilamentCourse(other, anchor, length, noise, stiffness);
+	}
+
 	FilamentCourse withNoise(final double other) {
 		return new FilamentCourse(estimate, anchor, length, other, stiffness);
 	}

@@ -6,6 +6,7 @@ import java.util.Optional;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitQuality;
 import io.github.knotresolver.geometry.RobustStatistics;
+import io.github.knotresolver.image.LineAppearance;
 import io.github.knotresolver.model.Observation;
 
 /**
@@ -41,6 +42,21 @@ record FitConfidence(double usualMisfit) {
 			v -> pool.get(v).chain().distance(chosen.chain()) > TrackTuning.VISIBLE);
 	}
 
+	/**
+	 * The most that a confidence can be: if a contour that lies elsewhere by a line's width, be it
+	 * only in part, costs the movie as much, either is right.
+	 *
+	 * @param sigma of the line in pixels
+	 * @return 0.5 to 1
+	 */
+	static double atMost(final TrellisPath path, final List<Fit> pool, final int frame,
+		final double sigma) {
+		final Fit chosen = pool.get(path.choice()[frame]);
+		final double gap = path.gap(frame, v -> pool.get(v).chain()
+			.farthest(chosen.chain()) > LineAppearance.FULL_WIDTH * sigma);
+		return 1 - 0.5 * Math.exp(-gap / TrackTuning.TIE);
+	}
+
 	/** A gap as a figure: 1 if there is none, falling to 0. */
 	static double rival(final double gap) {
 		return Math.exp(-gap / TrackTuning.GAP_SCALE);
@@ -66,6 +82,18 @@ record FitConfidence(double usualMisfit) {
 		for (int i = FitEvidence.DOUBTS; i < figures.length; i++)
 			doubted -= WEIGHTS[i] * figures[i];
 		return 1 / (1 + Math.exp(-Math.max(doubted, Math.min(logit, 0))));
+	}
+
+	/**
+	 * What lowers a confidence, in words.
+	 *
+	 * @param most what it is at most, as {@link #atMost} says
+	 * @return empty if it is high
+	 */
+	static String reason(final FitEvidence evidence, final double most) {
+		if (of(evidence) < Observation.SURE)
+			return reason(evidence);
+		return most < Observation.SURE ? "Doubtful: " + FitEvidence.words(0) + "." : "";
 	}
 
 	/** What lowers a confidence, in words; empty if it is high. */

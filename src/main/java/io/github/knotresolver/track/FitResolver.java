@@ -19,7 +19,6 @@ import org.apache.commons.math3.stat.descriptive.rank.Median;
 import io.github.knotresolver.candidate.CandidateGenerator;
 import io.github.knotresolver.candidate.CandidateQuery;
 import io.github.knotresolver.candidate.CandidateSet;
-import io.github.knotresolver.fit.Bleaching;
 import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.fit.FilamentEstimator;
 import io.github.knotresolver.fit.FilamentEstimator.Sighting;
@@ -76,7 +75,29 @@ public final class FitResolver {
 	 */
 	public Optional<FitSolver> learn(final List<FrameView> frames, final Point fixedEnd,
 		final OptionalDouble length) {
-		return look(frames, fixedEnd, length).map(seen -> new FitSolver(pools(seen)));
+		return look(frames, fixedEnd, length)
+			.map(seen -> length.isEmpty() && lengths == LengthModel.AUTO
+				? withLengthThatHolds(seen)
+				: new FitSolver(pools(seen)));
+	}
+
+	/**
+	 * Where contours often do not end with their light, the length is not right; a filament that
+	 * lies on itself in nearly all frames may grow or break unseen. There fits of free length say
+	 * how long it is.
+	 */
+	private FitSolver withLengthThatHolds(final Seen seen) {
+		final FitSolver first = new FitSolver(pools(seen));
+		final FitTrellis.Solved solved = first.solved(progress);
+		if (solved.elsewhere() == 0)
+			return first;
+		final FitResolver free = new FitResolver(generator, kinds, LengthModel.FREE, workers,
+			progress);
+		return Lengths.found(new FitSolver(free.pools(seen)).solved(progress), seen.course)
+			.map(course -> new FitSolver(pools(seen.withCourse(course))))
+			.filter(again -> again.solved(progress).price() < solved.price()
+				- TrackTuning.HOPELESS)
+			.orElse(first);
 	}
 
 	/**
@@ -126,6 +147,10 @@ public final class FitResolver {
 			return new Seen(frames, course.withNoise(noise), endIsDoubtful);
 		}
 
+		Seen withCourse(final FilamentCourse other) {
+			return new Seen(frames, other, endIsDoubtful);
+		}
+
 		/** The same, if the fixed end stays where the clearest frames have it. */
 		FilamentCourse still() {
 			return course.withAnchor(AnchorPath.still(course.estimate().fixedEnd(), frames.size()));
@@ -141,7 +166,7 @@ public final class FitResolver {
 		final List<FrameView> calmed = calmed(focused, strands);
 		// Where focus wanders, every frame has been brought to the same brightness.
 		final List<FrameView> steady = focused == frames
-			? withoutBleaching(calmed, strands)
+			? strands.withoutBleaching(calmed)
 			: calmed;
 		final FitSettings endsFree = calmed == focused
 			? FitSettings.ENDS_FREE
@@ -173,19 +198,6 @@ public final class FitResolver {
 	private static List<NormalizedFrame> light(final List<FrameView> frames,
 		final FilamentEstimate estimate) {
 		return frames.stream().map(f -> f.light().rescaled(0, estimate.amplitude())).toList();
-	}
-
-	private static List<FrameView> withoutBleaching(final List<FrameView> frames,
-		final StrandLight strands) {
-		final int first = frames.get(0).frame();
-		final double[] brightness = new double[frames.get(frames.size() - 1).frame() - first + 1];
-		Arrays.fill(brightness, Double.NaN);
-		for (int t = 0; t < frames.size(); t++)
-			brightness[frames.get(t).frame() - first] = strands.light()[t];
-		final Bleaching learned = Bleaching.learn(brightness);
-		// A filament that winds up seems to brighten.
-		final Bleaching bleaching = strands.open() || learned.rate() > 0 ? learned : Bleaching.NONE;
-		return frames.stream().map(f -> f.scaled(bleaching.factor(f.frame() - first))).toList();
 	}
 
 	private List<FrameView> calmed(final List<FrameView> frames, final StrandLight strands) {

@@ -65,7 +65,12 @@ public final class FitSolver {
 	 * @return for each frame; empty where there is no contour
 	 */
 	public List<Optional<FitEvidence>> evidence(final Progress progress) {
-		return solved(new TreeMap<>(), progress).evidence();
+		return solved(progress).evidence();
+	}
+
+	/** The movie if the user says nothing. */
+	FitTrellis.Solved solved(final Progress progress) {
+		return solved(new TreeMap<>(), progress);
 	}
 
 	private FitTrellis.Solved solved(final SortedMap<Integer, Restriction> said,

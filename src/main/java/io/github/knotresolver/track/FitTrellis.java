@@ -43,9 +43,16 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 	 * @param frames one for each frame
 	 * @param evidence what can be seen of each frame's contour; empty where there is none
 	 * @param lengths of the chosen chains in pixels; NaN where there is none
+	 * @param looks at the chosen chains; empty where there is none
+	 * @param price of the movie
 	 */
-	record Solved(List<Observation> frames, List<Optional<FitEvidence>> evidence,
-		double[] lengths) {
+	record Solved(List<Observation> frames, List<Optional<FitEvidence>> evidence, double[] lengths,
+		List<Optional<FitLook>> looks, double price) {
+
+		/** In how many frames contours do not end where their light does, as a figure. */
+		double elsewhere() {
+			return FitLook.elsewhere(looks.stream().flatMap(Optional::stream).toList());
+		}
 	}
 
 	/**
@@ -86,7 +93,8 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 			IntStream.range(0, pools.size())
 				.mapToDouble(
 					t -> path.choice()[t] < 0 ? Double.NaN : chosen(t, path).chain().length())
-				.toArray());
+				.toArray(),
+			seen, path.total());
 	}
 
 	private Observation tracked(final int t, final TrellisPath path,
@@ -112,8 +120,10 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 	private Observation seen(final int t, final TrellisPath path, final FitEvidence evidence,
 		final Optional<Restriction> said) {
 		final int frame = frames.get(t).frame();
-		final double confidence = FitConfidence.of(evidence);
-		final String doubt = FitConfidence.reason(evidence);
+		final double most = FitConfidence.atMost(path, pools.get(t), t,
+			course.estimate().model().sigma());
+		final double confidence = Math.min(FitConfidence.of(evidence), most);
+		final String doubt = FitConfidence.reason(evidence, most);
 		if (said.isEmpty() && confidence < TrackTuning.NO_CONFIDENCE)
 			return Observation.without(frame, FrameStatus.UNRESOLVED,
 				doubt.replace("Doubtful: ", "No contour can be trusted: "));

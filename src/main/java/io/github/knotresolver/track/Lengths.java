@@ -3,6 +3,7 @@ package io.github.knotresolver.track;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.geometry.RobustStatistics;
@@ -35,6 +36,29 @@ record Lengths(double[] whole, double longestCut, double cutShare,
 				? LengthCourse.changing(seen.stream().mapToInt(Seen::index).toArray(), whole,
 					frames)
 				: Optional.empty());
+	}
+
+	/**
+	 * The course of a length that grows, shrinks or breaks, from contours that are as long as their
+	 * light says. Where several filaments are taken for one, its length wanders: that is no course.
+	 *
+	 * @param free the movie as fitted with free lengths
+	 * @param known what was known of the filament
+	 * @return the same with the length as it was found; empty if there is no such course
+	 */
+	static Optional<FilamentCourse> found(final FitTrellis.Solved free,
+		final FilamentCourse known) {
+		final int frames = free.lengths().length;
+		final int[] seen = IntStream.range(0, frames)
+			.filter(t -> free.looks().get(t).filter(FitLook::endsWithLight).isPresent()
+				&& free.frames().get(t).visible() == 1)
+			.toArray();
+		final double[] whole = Arrays.stream(seen).mapToDouble(t -> free.lengths()[t]).toArray();
+		final Lengths found = new Lengths(whole, 0, 0,
+			LengthCourse.changing(seen, whole, frames).filter(
+				c -> c.kind() == LengthCourse.Kind.STEADY || c.kind() == LengthCourse.Kind.BROKEN));
+		return found.changing
+			.map(c -> known.withLength(c).withEstimate(found.settle(known.estimate())));
 	}
 
 	/** The course of the length, if it does not change, of a given length. */

@@ -8,6 +8,7 @@ import java.util.stream.IntStream;
 import io.github.knotresolver.candidate.Candidate;
 import io.github.knotresolver.candidate.CandidateSet;
 import io.github.knotresolver.contour.ContourBuilder;
+import io.github.knotresolver.fit.Bleaching;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.progress.Cancellation;
 
@@ -63,5 +64,18 @@ record StrandLight(double[] light, boolean open) {
 			light[i] = frame.light().meanAround(contour.x(i), contour.y(i));
 		Arrays.sort(light);
 		return light[(int) (TrackTuning.STRAND_QUANTILE * (light.length - 1))];
+	}
+
+	/** Frames as they would be if nothing had bleached, of those in which the light was seen. */
+	List<FrameView> withoutBleaching(final List<FrameView> frames) {
+		final int first = frames.get(0).frame();
+		final double[] brightness = new double[frames.get(frames.size() - 1).frame() - first + 1];
+		Arrays.fill(brightness, Double.NaN);
+		for (int t = 0; t < frames.size(); t++)
+			brightness[frames.get(t).frame() - first] = light[t];
+		final Bleaching learned = Bleaching.learn(brightness);
+		// A filament that winds up seems to brighten.
+		final Bleaching bleaching = open || learned.rate() > 0 ? learned : Bleaching.NONE;
+		return frames.stream().map(f -> f.scaled(bleaching.factor(f.frame() - first))).toList();
 	}
 }

@@ -508,6 +508,12 @@ final class TrackTuning {
 	 */
 	static final double SAME_FIT = 1.0;
 
+	/**
+	 * [strands²] Contours whose movies differ in price by less than about this cost the same. Why: a
+	 * link on which the model of the line is off by a fifth of a strand costs half of it.
+	 */
+	static final double TIE = 0.5;
+
 	/** [candidates] So many of the cheapest candidates are drawn. Why: drawing is cheap. */
 	static final int DRAWN = 12;
 

@@ -143,6 +143,21 @@ class FitConfidenceTest {
 			new TrellisPath(new int[]{0}, new double[][]{{5, 5.5}}, 5), pool.subList(0, 2), 0));
 	}
 
+	@Test
+	void ofTwoThatCostTheSameNoneIsSurerThanOneHalf() {
+		final Fit straight = new Fit(Chain.along(Drawn.line(0, 0, 100, 0), 20, 100), 0, 0, 1);
+		final Fit bent = new Fit(Chain.along(Drawn.line(0, 0, 70, 0, 100, 8), 20, 100), 0, 0, 1);
+		final List<Fit> pool = List.of(straight, bent);
+		assertTrue(straight.chain().distance(bent.chain()) < TrackTuning.VISIBLE);
+		for (final double dearer : new double[]{0, 0.05, 5}) {
+			final TrellisPath path = new TrellisPath(new int[]{0},
+				new double[][]{{5, 5 + dearer}}, 5);
+			final double most = FitConfidence.atMost(path, pool, 0, 1.4);
+			assertEquals(dearer == 0 ? 0.5 : dearer < 1 ? 0.55 : 1, most, 0.01);
+			assertEquals(1, FitConfidence.atMost(path, pool, 0, 6), 1e-9);
+		}
+	}
+
 	private static Fit line(final double y) {
 		return new Fit(Chain.along(Drawn.line(0, y, 50, y), 10, 50), 0, 0, 1);
 	}

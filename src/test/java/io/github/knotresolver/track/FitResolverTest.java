@@ -194,6 +194,29 @@ class FitResolverTest {
 				"frame " + t);
 	}
 
+	/** Out of its clamp into a ring, which turns, and on which it lies for more than a turn if long. */
+	private static Chain ring(final double length, final double turned) {
+		final List<Point> points = new ArrayList<>();
+		for (double turn = 0; turn < 4 * Math.PI; turn += 0.02) {
+			final double r = 18 * (1 - Math.exp(-turn / 0.7));
+			points.add(new Point(55 + r * Math.cos(turn + turned), 55 + r * Math.sin(turn + turned)));
+		}
+		return Chain.along(Polyline.of(points).head(length), 60, length);
+	}
+
+	@Test
+	void aFilamentThatGrowsWhileItLiesOnItselfIsFollowedToItsTip() {
+		final List<Chain> truth = new ArrayList<>();
+		for (int t = 0; t < 16; t++)
+			truth.add(ring(112 + 4 * t, 0.12 * t));
+		final List<Observation> found = resolve(DrawnFrames.of(truth, LINE, t -> 1),
+			TrailCandidates.DEFAULT, truth.get(0), Map.of());
+		assertFollows(truth, found);
+		for (int t = 0; t < truth.size(); t++)
+			assertEquals(truth.get(t).length(), found.get(t).contour().orElseThrow().length(), 1.5,
+				"frame " + t);
+	}
+
 	@ParameterizedTest
 	@ValueSource(ints = {8, 12})
 	void aFilamentThatBreaksIsFollowedAcrossTheFrameOfTheBreak(final int frame) {
