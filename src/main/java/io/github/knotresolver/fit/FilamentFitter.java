@@ -60,6 +60,19 @@ public final class FilamentFitter {
 	 * @return the fit
 	 */
 	public Fit fit(final Chain start, final Optional<Chain> predicted) {
+		return fit(start, predicted, Double.POSITIVE_INFINITY);
+	}
+
+	/**
+	 * The best chain near a start, unless that is too dear to be worth it.
+	 *
+	 * @param start where to begin
+	 * @param predicted the shape it is expected to have, if there is one
+	 * @param dearest an energy: a fit that would stay above it even if all steps to come gained as
+	 *            much as the last two is given up where it is
+	 * @return the fit
+	 */
+	public Fit fit(final Chain start, final Optional<Chain> predicted, final double dearest) {
 		final boolean freeLength = settings.freeLength();
 		if (nodes == null)
 			nodes = new NodeSystem(links + 1, image.couplesFarNodes() || freeLength ? links : 1);
@@ -69,7 +82,7 @@ public final class FilamentFitter {
 		Chain chain = start;
 		double light = light(chain, nodes);
 		double energy = light + priors(chain, predicted);
-		double damping = 1e-3;
+		double damping = 1e-3, lastGain = Double.POSITIVE_INFINITY;
 		int iteration = 0;
 		while (iteration < settings.iterations()) {
 			Cancellation.check();
@@ -101,8 +114,11 @@ public final class FilamentFitter {
 				break;
 			chain = best;
 			iteration++;
-			if (before - energy < settings.tolerance() * Math.abs(before))
+			final double gain = before - energy;
+			if (gain < settings.tolerance() * Math.abs(before)
+				|| energy - Math.max(gain, lastGain) * (settings.iterations() - iteration) > dearest)
 				break;
+			lastGain = gain;
 			if (!linearized)
 				light(chain, nodes);
 		}

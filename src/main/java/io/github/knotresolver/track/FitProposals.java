@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 
 import io.github.knotresolver.candidate.Candidate;
 import io.github.knotresolver.candidate.CandidateSet;
@@ -32,20 +33,32 @@ record FitProposals(FrameView frame, FilamentEstimate estimate, int links, boole
 		final List<Fit> rough = new ArrayList<>();
 		for (final Candidate c : set.candidates().stream().limit(TrackTuning.DRAWN).toList())
 			rough.add(fitter.price(start(ContourBuilder.smooth(c), estimate.fixedEnd())));
-		final FitPool pool = new FitPool();
-		rough.stream().sorted(Comparator.comparingDouble(Fit::energy)).limit(TrackTuning.FITTED)
-			.forEach(r -> pool
-				.add(fitter.fit(stiff.fit(r.chain(), Optional.empty()).chain(), Optional.empty())));
-		return pool.fits();
+		return fitted(rough.stream().sorted(Comparator.comparingDouble(Fit::energy))
+			.limit(TrackTuning.FITTED).map(Fit::chain), fitter, stiff);
 	}
 
 	/** All candidates that are as asked for, fitted. */
 	List<Fit> of(final CandidateSet set, final FilamentFitter fitter, final FilamentFitter stiff,
 		final Predicate<Polyline> wanted) {
+		return fitted(set.candidates().stream().map(ContourBuilder::smooth).filter(wanted)
+			.limit(TrackTuning.DRAWN).map(c -> start(c, estimate.fixedEnd())), fitter, stiff);
+	}
+
+	/** Starts that become the same while they cannot bend are fitted once. */
+	private static List<Fit> fitted(final Stream<Chain> starts, final FilamentFitter fitter,
+		final FilamentFitter stiff) {
 		final FitPool pool = new FitPool();
-		set.candidates().stream().map(ContourBuilder::smooth).filter(wanted)
-			.limit(TrackTuning.DRAWN).map(c -> start(c, estimate.fixedEnd())).forEach(start -> pool
-				.add(fitter.fit(stiff.fit(start, Optional.empty()).chain(), Optional.empty())));
+		final List<Chain> begun = new ArrayList<>();
+		double cheapest = Double.POSITIVE_INFINITY;
+		for (final Chain start : starts.toList()) {
+			final Chain bent = stiff.fit(start, Optional.empty()).chain();
+			if (begun.stream().anyMatch(b -> b.distance(bent) < TrackTuning.SAME_START))
+				continue;
+			begun.add(bent);
+			final Fit fit = fitter.fit(bent, Optional.empty(), cheapest + TrackTuning.HOPELESS);
+			cheapest = Math.min(cheapest, fit.energy());
+			pool.add(fit);
+		}
 		return pool.fits();
 	}
 

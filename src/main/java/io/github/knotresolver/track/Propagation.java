@@ -121,8 +121,11 @@ final class Propagation {
 	/** Whether a fit is one that is known, or so much dearer that it will never be taken. */
 	private static boolean isKnown(final Fit fit, final List<Fit> known) {
 		return known.stream().anyMatch(k -> FitPool.isSame(k, fit))
-			|| fit.energy() > TrackTuning.HOPELESS
-				+ known.stream().mapToDouble(Fit::energy).min().orElse(fit.energy());
+			|| fit.energy() > TrackTuning.HOPELESS + cheapest(known);
+	}
+
+	private static double cheapest(final List<Fit> fits) {
+		return fits.stream().mapToDouble(Fit::energy).min().orElse(Double.POSITIVE_INFINITY);
 	}
 
 	/** The hypotheses as they would be if the filament moved with its anchor only. */
@@ -139,6 +142,7 @@ final class Propagation {
 		final FilamentFitter fitter = fitters.apply(frame);
 		final WoundStarts wound = new WoundStarts(motion.usualMotion());
 		final List<Fit> all = new ArrayList<>();
+		double cheapest = cheapest(proposals.get(frame));
 		for (final Hypothesis h : beam) {
 			final List<Fit> fits = new ArrayList<>();
 			final Chain here = h.fit.chain();
@@ -148,9 +152,11 @@ final class Propagation {
 			h.before.map(b -> here.extrapolated(b, 1))
 				.filter(s -> s.distance(here) > TrackTuning.SLOW).ifPresent(starts::add);
 			for (final Chain start : starts)
-				fits.add(fitter.fit(start, Optional.of(heading.orElse(here))));
+				fits.add(fitter.fit(start, Optional.of(heading.orElse(here)),
+					cheapest + TrackTuning.HOPELESS));
 			for (final Chain start : wound.of(here, fitter))
-				fits.add(fitter.fit(start, Optional.empty()));
+				fits.add(fitter.fit(start, Optional.empty(), cheapest + TrackTuning.HOPELESS));
+			cheapest = Math.min(cheapest, cheapest(fits));
 			for (final Fit fit : fits)
 				next.add(new Hypothesis(fit, Optional.of(here),
 					h.total + fit.energy() + motion.between(here, fit.chain())));

@@ -514,6 +514,12 @@ final class TrackTuning {
 	 */
 	static final double TIE = 0.5;
 
+	/**
+	 * [px] Starts nearer to each other than this on average are fitted once. Why: a fit moves them
+	 * farther, and to the same place.
+	 */
+	static final double SAME_START = 0.25;
+
 	/** [candidates] So many of the cheapest candidates are drawn. Why: drawing is cheap. */
 	static final int DRAWN = 12;
 
