@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Optional;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -46,6 +47,24 @@ class FilamentFitterTest {
 		assertEquals(truth.length(), fit.chain().length(), 0.05);
 		assertTrue(fit.chain().distance(truth) < 0.05,
 			kind + " is off by " + fit.chain().distance(truth) + " px");
+	}
+
+	@Test
+	void givesUpWhatStaysTooDearAndNothingElse() {
+		final LineModel model = LineModel.uniform(LineModel.Kind.ADDITIVE, 1.6, 1);
+		final Chain truth = loop(0.42);
+		final FilamentFitter fitter = new FilamentFitter(picture(truth, model), model, LINKS,
+			Optional.of(truth.start()), FitSettings.DEFAULT);
+		final Fit right = fitter.fit(loop(0.40), Optional.empty());
+		final Fit same = fitter.fit(loop(0.40), Optional.empty(), right.energy());
+		assertEquals(right.energy(), same.energy());
+		assertEquals(right.iterations(), same.iterations());
+		// Wound the other way it follows nothing of the loop, however long it is fitted.
+		final Fit wrong = fitter.fit(loop(-0.40), Optional.empty());
+		final Fit givenUp = fitter.fit(loop(-0.40), Optional.empty(), right.energy());
+		assertTrue(wrong.energy() > right.energy() + 10, "the other way costs " + wrong.energy());
+		assertTrue(givenUp.iterations() < wrong.iterations(),
+			givenUp.iterations() + " of " + wrong.iterations() + " steps");
 	}
 
 	private static NormalizedFrame picture(final Chain chain, final LineModel model) {
