@@ -514,6 +514,12 @@ final class TrackTuning {
 	 */
 	static final double TIE = 0.5;
 
+	/** [probability] The confidence of what is guessed is at most this. Why: either may be right. */
+	static final double GUESSED = 0.5;
+
+	/** [line widths] The last so many of a contour are its tip. Why: on a ring it turns by less. */
+	static final double TAIL = 4;
+
 	/**
 	 * [px] Starts nearer to each other than this on average are fitted once. Why: a fit moves them
 	 * farther, and to the same place.

@@ -1,0 +1,50 @@
+
+package io.github.knotresolver.track;
+
+import java.util.List;
+
+import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.image.LineAppearance;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Observation;
+
+/**
+ * Whether a filament's length is a guess: it is not evenly bright, and its tip lies on itself in
+ * nearly all frames. What is brighter there may be a brighter part of it or two strands.
+ */
+final class GuessedLength {
+
+	private static final String WHY = "Doubtful: the filament is not evenly bright and its tip lies on it in nearly all frames, so its length is a guess.";
+
+	private GuessedLength() {
+	}
+
+	/**
+	 * Takes confidence off all frames if the length is a guess. O(frames * length).
+	 *
+	 * @param frames of one filament, in order of time
+	 * @param model what its line looks like
+	 * @return the same contours, none of which is believed if their length is a guess
+	 */
+	static List<Observation> doubted(final List<Observation> frames, final LineModel model) {
+		if (model.brightness().length == 1)
+			return frames;
+		final double width = LineAppearance.FULL_WIDTH * model.sigma();
+		final List<Polyline> contours = frames.stream().flatMap(f -> f.contour().stream()).toList();
+		final long hidden = contours.stream().filter(c -> isHidden(c, width)).count();
+		return hidden <= TrackTuning.NEARLY_ALL * contours.size()
+			? frames
+			: frames.stream().map(GuessedLength::doubted).toList();
+	}
+
+	private static boolean isHidden(final Polyline contour, final double width) {
+		final double before = contour.length() - TrackTuning.TAIL * width;
+		return before > 0 && contour.head(before).distanceTo(contour.last()) < width;
+	}
+
+	/** What the user said stays as it was said. */
+	private static Observation doubted(final Observation o) {
+		return o.status() == FrameStatus.CORRECTED ? o : o.atMost(TrackTuning.GUESSED, WHY);
+	}
+}
