@@ -130,8 +130,7 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 	 * @return the chain, longer by at most a piece
 	 */
 	Chain grown(final Chain chain, final Piece beyond) {
-		return longer(chain, beyond.angle,
-			Math.max(0, Math.min(1, beyond.brightness)) * piece());
+		return longer(chain, beyond.angle, Math.max(0, Math.min(1, beyond.brightness)) * piece());
 	}
 
 	private static Chain longer(final Chain chain, final double angle, final double by) {
@@ -140,8 +139,7 @@ public record EndLight(NormalizedFrame frame, LineModel model, double noise) {
 		for (int i = 0; i < nodes.size(); i++)
 			points.add(nodes.point(i));
 		final Point tip = nodes.last();
-		points.add(
-			new Point(tip.x() + by * Math.cos(angle), tip.y() + by * Math.sin(angle)));
+		points.add(new Point(tip.x() + by * Math.cos(angle), tip.y() + by * Math.sin(angle)));
 		return Chain.along(Polyline.of(points), chain.links(), chain.length() + by);
 	}
 

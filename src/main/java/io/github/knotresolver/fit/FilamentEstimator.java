@@ -157,8 +157,8 @@ public final class FilamentEstimator {
 			});
 		}
 
-		private static Fit fit(final NormalizedFrame frame, final LineEstimate line, final Chain start,
-			final Optional<Point> hold, final FitSettings settings) {
+		private static Fit fit(final NormalizedFrame frame, final LineEstimate line,
+			final Chain start, final Optional<Point> hold, final FitSettings settings) {
 			return new FilamentFitter(frame, line.model(), start.links(), hold,
 				hold.isPresent() ? settings.withClampWeight(FitTuning.START_HELD) : settings)
 				.fit(start, Optional.empty());

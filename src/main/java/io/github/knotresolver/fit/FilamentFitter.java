@@ -115,8 +115,8 @@ public final class FilamentFitter {
 			chain = best;
 			iteration++;
 			final double gain = before - energy;
-			if (gain < settings.tolerance() * Math.abs(before)
-				|| energy - Math.max(gain, lastGain) * (settings.iterations() - iteration) > dearest)
+			if (gain < settings.tolerance() * Math.abs(before) || energy
+				- Math.max(gain, lastGain) * (settings.iterations() - iteration) > dearest)
 				break;
 			lastGain = gain;
 			if (!linearized)

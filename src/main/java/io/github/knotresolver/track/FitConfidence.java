@@ -52,8 +52,8 @@ record FitConfidence(double usualMisfit) {
 	static double atMost(final TrellisPath path, final List<Fit> pool, final int frame,
 		final double sigma) {
 		final Fit chosen = pool.get(path.choice()[frame]);
-		final double gap = path.gap(frame, v -> pool.get(v).chain()
-			.farthest(chosen.chain()) > LineAppearance.FULL_WIDTH * sigma);
+		final double gap = path.gap(frame,
+			v -> pool.get(v).chain().farthest(chosen.chain()) > LineAppearance.FULL_WIDTH * sigma);
 		return 1 - 0.5 * Math.exp(-gap / TrackTuning.TIE);
 	}
 

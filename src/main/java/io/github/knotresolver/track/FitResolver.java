@@ -95,8 +95,7 @@ public final class FitResolver {
 			progress);
 		return Lengths.found(new FitSolver(free.pools(seen)).solved(progress), seen.course)
 			.map(course -> new FitSolver(pools(seen.withCourse(course))))
-			.filter(again -> again.solved(progress).price() < solved.price()
-				- TrackTuning.HOPELESS)
+			.filter(again -> again.solved(progress).price() < solved.price() - TrackTuning.HOPELESS)
 			.orElse(first);
 	}
 

@@ -55,8 +55,9 @@ public final class FitSolver {
 		notes.addAll(
 			course.withLength(course.length().settled(solved.lengths())).notes(pools.frames()));
 		return new Track(course.estimate().fixedEnd(), course.estimate().length(),
-			course.estimate().lengthError(), GuessedLength
-				.doubted(TurnedRound.doubted(solved.frames()), course.estimate().model()), notes);
+			course.estimate().lengthError(),
+			GuessedLength.doubted(TurnedRound.doubted(solved.frames()), course.estimate().model()),
+			notes);
 	}
 
 	/**

@@ -76,16 +76,16 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 		}
 		final double elsewhere = FitLook
 			.elsewhere(seen.stream().flatMap(Optional::stream).toList());
-		final double pattern = RobustStatistics.upperMedian(seen.stream().flatMap(Optional::stream)
-			.mapToDouble(l -> pattern(l)).toArray(), 0);
+		final double pattern = RobustStatistics.upperMedian(
+			seen.stream().flatMap(Optional::stream).mapToDouble(l -> pattern(l)).toArray(), 0);
 		final FitConfidence confidence = FitConfidence
 			.learn(seen.stream().map(s -> s.map(FitLook::quality)).toList());
 		final List<Observation> tracked = new ArrayList<>();
 		final List<Optional<FitEvidence>> evidence = new ArrayList<>();
 		for (int t = 0; t < pools.size(); t++) {
 			final int frame = t;
-			evidence.add(seen.get(t).filter(s -> isTrusted(s.quality()))
-				.map(s -> evidence(frame, path, s, new Rest(confidence, motion, elsewhere, pattern))));
+			evidence.add(seen.get(t).filter(s -> isTrusted(s.quality())).map(
+				s -> evidence(frame, path, s, new Rest(confidence, motion, elsewhere, pattern))));
 			tracked.add(tracked(t, path, seen.get(t).map(FitLook::quality), evidence.get(t),
 				Optional.ofNullable(said.get(t))));
 		}
@@ -167,11 +167,11 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 	private FitEvidence evidence(final int t, final TrellisPath path, final FitLook look,
 		final Rest rest) {
 		return new FitEvidence(FitConfidence.rival(FitConfidence.gap(path, pools.get(t), t)),
-			rest.confidence.misfit(look.quality()), pattern(look),
-			look.quality().dark(), look.residue().unexplained(), look.residue().invented(),
-			look.beyond(), look.missing(), look.uncovered(), jump(t, path, rest.motion),
-			FitEvidence.faint(course.noise()), FitEvidence.folded(SharpestTurn
-				.of(chosen(t, path).chain().contour(), course.estimate().model().sigma())),
+			rest.confidence.misfit(look.quality()), pattern(look), look.quality().dark(),
+			look.residue().unexplained(), look.residue().invented(), look.beyond(), look.missing(),
+			look.uncovered(), jump(t, path, rest.motion), FitEvidence.faint(course.noise()),
+			FitEvidence.folded(SharpestTurn.of(chosen(t, path).chain().contour(),
+				course.estimate().model().sigma())),
 			rest.elsewhere, FitEvidence.worse(pattern(look), rest.pattern));
 	}
 

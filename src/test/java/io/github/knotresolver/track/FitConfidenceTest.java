@@ -150,8 +150,8 @@ class FitConfidenceTest {
 		final List<Fit> pool = List.of(straight, bent);
 		assertTrue(straight.chain().distance(bent.chain()) < TrackTuning.VISIBLE);
 		for (final double dearer : new double[]{0, 0.05, 5}) {
-			final TrellisPath path = new TrellisPath(new int[]{0},
-				new double[][]{{5, 5 + dearer}}, 5);
+			final TrellisPath path = new TrellisPath(new int[]{0}, new double[][]{{5, 5 + dearer}},
+				5);
 			final double most = FitConfidence.atMost(path, pool, 0, 1.4);
 			assertEquals(dearer == 0 ? 0.5 : dearer < 1 ? 0.55 : 1, most, 0.01);
 			assertEquals(1, FitConfidence.atMost(path, pool, 0, 6), 1e-9);

@@ -199,7 +199,8 @@ class FitResolverTest {
 		final List<Point> points = new ArrayList<>();
 		for (double turn = 0; turn < 4 * Math.PI; turn += 0.02) {
 			final double r = 18 * (1 - Math.exp(-turn / 0.7));
-			points.add(new Point(55 + r * Math.cos(turn + turned), 55 + r * Math.sin(turn + turned)));
+			points
+				.add(new Point(55 + r * Math.cos(turn + turned), 55 + r * Math.sin(turn + turned)));
 		}
 		return Chain.along(Polyline.of(points).head(length), 60, length);
 	}
