@@ -16,46 +16,6 @@ public final class Background {
 	/** Gaussians over cells: the fine one where it has enough pixels, else the next. */
 	private static final double[] SIGMAS = {2, 5, 12, 40};
 
-	/** The sum of each cell's pixels that are background, and how many they are. */
-	private record Cells(int columns, float[] sums, float[] counts) {
-
-		static Cells of(final float[] pixels, final int width, final boolean[] out) {
-			final int columns = Background.columns(width),
-				rows = Background.columns(pixels.length / width);
-			final Cells cells = new Cells(columns, new float[columns * rows],
-				new float[columns * rows]);
-			for (int i = 0; i < pixels.length; i++)
-				if (!out[i]) {
-					final int cell = i / width / ImageTuning.CELL * columns
-						+ i % width / ImageTuning.CELL;
-					cells.sums[cell] += pixels[i];
-					cells.counts[cell]++;
-				}
-			return cells;
-		}
-
-		float mean() {
-			double sum = 0, count = 0;
-			for (int i = 0; i < sums.length; i++) {
-				sum += sums[i];
-				count += counts[i];
-			}
-			return count == 0 ? 0 : (float) (sum / count);
-		}
-
-		/** Fills in what is not done yet where a Gaussian has enough pixels. */
-		void fill(final float[] cells, final boolean[] done, final double sigma) {
-			if (isAll(done))
-				return;
-			final float[] s = blur(sums, columns, sigma), n = blur(counts, columns, sigma);
-			for (int i = 0; i < cells.length; i++)
-				if (!done[i] && n[i] > ImageTuning.ENOUGH * ImageTuning.CELL * ImageTuning.CELL) {
-					cells[i] = s[i] / n[i];
-					done[i] = true;
-				}
-		}
-	}
-
 	private Background() {
 	}
 
@@ -90,32 +50,15 @@ public final class Background {
 	 * @return the background, row by row
 	 */
 	public static float[] of(final float[] pixels, final int width, final boolean[] lines) {
-		return of(pixels, width, lines, lines);
-	}
-
-	/**
-	 * As {@link #of(RandomAccessibleInterval, RandomAccessibleInterval)}. Inside a loop, where no
-	 * pixel is far from a line, what is just beside the lines says more than what is far away.
-	 *
-	 * @param pixels row by row
-	 * @param width of a row
-	 * @param lines what is not background, row by row
-	 * @param core the part of {@code lines} that is none even where nothing else is near
-	 * @return the background, row by row
-	 */
-	public static float[] of(final float[] pixels, final int width, final boolean[] lines,
-		final boolean[] core) {
-		final boolean[] out = lines.clone(), coreOut = core.clone();
+		final boolean[] out = lines.clone();
 		for (int i = 0; i < out.length; i++)
-			if (!Float.isFinite(pixels[i]))
-				out[i] = coreOut[i] = true;
-		float[] background = smooth(pixels, width, out, coreOut);
+			out[i] |= !Float.isFinite(pixels[i]);
+		float[] background = smooth(pixels, width, out);
 		for (int round = 0; round < ImageTuning.BACKGROUND_ROUNDS; round++) {
 			final double limit = ImageTuning.OUTLIER * spread(pixels, background, out);
 			for (int i = 0; i < out.length; i++)
-				if (Math.abs(pixels[i] - background[i]) > limit)
-					out[i] = coreOut[i] = true;
-			background = smooth(pixels, width, out, coreOut);
+				out[i] |= Math.abs(pixels[i] - background[i]) > limit;
+			background = smooth(pixels, width, out);
 		}
 		return background;
 	}
@@ -136,28 +79,43 @@ public final class Background {
 			: Double.POSITIVE_INFINITY;
 	}
 
-	private static float[] smooth(final float[] pixels, final int width, final boolean[] out,
-		final boolean[] coreOut) {
-		final Cells far = Cells.of(pixels, width, out), near = Cells.of(pixels, width, coreOut);
-		final float[] cells = new float[far.sums.length];
-		final boolean[] done = new boolean[cells.length];
-		Arrays.fill(cells, far.mean());
-		far.fill(cells, done, SIGMAS[0]);
-		near.fill(cells, done, SIGMAS[0]);
-		for (int i = 1; i < SIGMAS.length && !isAll(done); i++)
-			far.fill(cells, done, SIGMAS[i]);
-		return spreadOut(cells, columns(width), width, pixels.length / width);
+	private static float[] smooth(final float[] pixels, final int width, final boolean[] out) {
+		final int height = pixels.length / width;
+		final int columns = (width + ImageTuning.CELL - 1) / ImageTuning.CELL,
+			rows = (height + ImageTuning.CELL - 1) / ImageTuning.CELL;
+		final float[] sums = new float[columns * rows], counts = new float[columns * rows];
+		double sum = 0, count = 0;
+		for (int i = 0; i < pixels.length; i++)
+			if (!out[i]) {
+				final int cell = i / width / ImageTuning.CELL * columns
+					+ i % width / ImageTuning.CELL;
+				sums[cell] += pixels[i];
+				counts[cell]++;
+				sum += pixels[i];
+				count++;
+			}
+		return spreadOut(cells(sums, counts, columns, count == 0 ? 0 : (float) (sum / count)),
+			columns, width, height);
 	}
 
-	private static boolean isAll(final boolean[] done) {
-		for (final boolean d : done)
-			if (!d)
-				return false;
-		return true;
-	}
-
-	private static int columns(final int width) {
-		return (width + ImageTuning.CELL - 1) / ImageTuning.CELL;
+	private static float[] cells(final float[] sums, final float[] counts, final int columns,
+		final float mean) {
+		final float[] cells = new float[sums.length];
+		final boolean[] done = new boolean[sums.length];
+		Arrays.fill(cells, mean);
+		for (final double sigma : SIGMAS) {
+			final float[] s = blur(sums, columns, sigma), n = blur(counts, columns, sigma);
+			boolean all = true;
+			for (int i = 0; i < cells.length; i++)
+				if (!done[i] && n[i] > ImageTuning.ENOUGH * ImageTuning.CELL * ImageTuning.CELL) {
+					cells[i] = s[i] / n[i];
+					done[i] = true;
+				} else
+					all &= done[i];
+			if (all)
+				break;
+		}
+		return cells;
 	}
 
 	private static float[] blur(final float[] cells, final int columns, final double sigma) {

@@ -3,10 +3,8 @@ package io.github.knotresolver.session;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.Supplier;
-import java.util.stream.IntStream;
 
 import io.github.knotresolver.fit.NormalizedFrame;
-import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.image.Background;
 import io.github.knotresolver.image.FrameEvidence;
 import io.github.knotresolver.image.LineAppearance;
@@ -103,28 +101,12 @@ final class FrameLights {
 		final float[] part = box.of(movie.frame(frame - 1), a.binning());
 		final boolean[] lines = Dilation.square(Pixels.bits(evidence.mask()), evidence.width(),
 			(int) Math.ceil(SessionTuning.HALO * a.workingSigma()));
-		final float[] background = Background.of(part, box.width(), lines, core(evidence));
+		final float[] background = Background.of(part, box.width(), lines);
 		final float[] light = new float[part.length];
 		for (int i = 0; i < light.length; i++)
 			light[i] = Float.isFinite(part[i])
 				? a.polarity().sign() * (part[i] - background[i])
 				: 0;
 		return light;
-	}
-
-	/** What is bright with a line's light even where loops leave nothing else. */
-	private static boolean[] core(final FrameEvidence evidence) {
-		final double[] widths = IntStream.range(0, evidence.size())
-			.mapToDouble(i -> evidence.lineWidth(evidence.x(i), evidence.y(i)))
-			.filter(Double::isFinite).toArray();
-		final LineAppearance a = evidence.appearance();
-		final double sigma = widths.length == 0
-			? a.workingSigma()
-			: RobustStatistics.median(widths) / LineAppearance.FULL_WIDTH / a.binning();
-		final boolean[] core = Dilation.square(Pixels.bits(evidence.skeleton()), evidence.width(),
-			(int) Math.rint(SessionTuning.CORE * sigma)), mask = Pixels.bits(evidence.mask());
-		for (int i = 0; i < core.length; i++)
-			core[i] |= mask[i];
-		return core;
 	}
 }

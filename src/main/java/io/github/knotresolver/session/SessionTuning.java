@@ -78,12 +78,6 @@ final class SessionTuning {
 	static final double HALO = 3;
 
 	/**
-	 * [line widths] ... and, where a loop leaves nothing that far, so far beyond its middle. Why: a
-	 * Gaussian has faded there to a few percent.
-	 */
-	static final double CORE = 2.5;
-
-	/**
 	 * [share] A stretched frame of more noise, in parts of its range, is blurred before the
 	 * threshold. Why: single pixels would pass it.
 	 */

@@ -87,25 +87,6 @@ class CleaningStepsTest {
 	}
 
 	@Test
-	void theBackgroundInsideARingIsThatBesideItsLine() {
-		final int size = 80;
-		final float[] pixels = new float[size * size];
-		final boolean[] lines = new boolean[pixels.length], core = new boolean[pixels.length];
-		for (int i = 0; i < pixels.length; i++) {
-			final double x = i % size - 40, y = i / size - 40, r = Math.hypot(x, y);
-			pixels[i] = (float) (40 * Math.exp(-r * r / 800)
-				+ 100 * Math.exp(-(r - 15) * (r - 15) / 4));
-			lines[i] = r < 24;
-			core[i] = Math.abs(r - 15) < 4;
-		}
-		final float[] far = Background.of(pixels, size, lines),
-			near = Background.of(pixels, size, lines, core);
-		final int middle = 40 * size + 40;
-		assertTrue(far[middle] < 25, far[middle] + "");
-		assertEquals(40, near[middle], 5);
-	}
-
-	@Test
 	void framesMayStartAnywhere() {
 		final float[] values = {0, 1, 2, 3, 4, 5};
 		assertArrayEquals(new float[]{0, 0.25f, 0.75f, 1},
