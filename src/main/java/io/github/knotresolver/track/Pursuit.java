@@ -35,6 +35,7 @@ final class Pursuit {
 	private final FitSettings loose;
 	private final ScenePass pass;
 	private final int filament;
+	private final boolean bendsOnce;
 
 	/**
 	 * A course up to a frame.
@@ -51,14 +52,17 @@ final class Pursuit {
 	 * @param weights of the fit
 	 * @param pass all filaments
 	 * @param filament the one that is followed
+	 * @param bendsOnce whether a course pays for a bend when the leading end makes it; otherwise in
+	 *          every frame
 	 */
 	Pursuit(final SceneLine line, final SceneWeights weights, final ScenePass pass,
-		final int filament) {
+		final int filament, final boolean bendsOnce) {
 		this.line = line;
 		rigid = weights.predicted();
 		loose = weights.searched();
 		this.pass = pass;
 		this.filament = filament;
+		this.bendsOnce = bendsOnce;
 	}
 
 	/**
@@ -98,15 +102,35 @@ final class Pursuit {
 		final List<Course> found = new ArrayList<>();
 		final Fit first = window.fit(expected, Optional.of(expected), rigid);
 		final Fit usual = window.fit(first.chain(), Optional.of(expected), loose);
-		found.add(course(course, usual, expected));
+		found.add(course(course, usual, expected, expected));
 		for (final Chain turned : turned(window, course, expected, usual.energy()))
-			found.add(course(course, window.fit(turned, Optional.of(turned), loose), turned));
+			found.add(course(course, window.fit(turned, Optional.of(turned), loose), turned,
+				expected));
 		return found;
 	}
 
-	private Course course(final Course before, final Fit fit, final Chain expected) {
-		return new Course(fit.chain(), before.sum + fit.energy()
+	/**
+	 * @param expected from where it was fitted
+	 * @param slid where it was, a little farther along its own track
+	 */
+	private Course course(final Course before, final Fit fit, final Chain expected,
+		final Chain slid) {
+		final double bending = bendsOnce
+			? loose.stiffness() * newBends(fit.chain(), slid)
+			: fit.energy() - fit.light();
+		return new Course(fit.chain(), before.sum + fit.light() + bending
 			+ loose.memory() * expected.length() * fit.chain().squaredTurn(expected), before);
+	}
+
+	/** The sum of squared turns from link to link beyond those before, by the length of a link. */
+	private static double newBends(final Chain chain, final Chain before) {
+		double sum = 0;
+		for (int i = 1; i < chain.links(); i++) {
+			final double more = chain.angle(i) - chain.angle(i - 1) - before.angle(i)
+				+ before.angle(i - 1);
+			sum += more * more;
+		}
+		return sum / chain.linkLength();
 	}
 
 	private static List<Chain> predictions(final Course course) {

@@ -738,6 +738,15 @@ final class SceneTuning {
 	 */
 	static final double PURSUIT_SAME = 1.5;
 
+	/**
+	 * [rounds] So often, there and back, each frame is tried as those before and after it say. Why:
+	 * what later frames tell comes from farther away in each round; a fourth finds nothing.
+	 */
+	static final int BOTH_ROUNDS = 3;
+
+	/** [strands²] ... and what is cheaper by this is kept. Why: the noise of a fit's energy. */
+	static final double BOTH_BETTER = 0.1;
+
 	/** [frames] Fewer frames do not tell what lies still. Why: a filament may rest for as long. */
 	static final int STILL_LEAST = 10;
 

@@ -1,0 +1,138 @@
+
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.Fit;
+import io.github.knotresolver.fit.FitSettings;
+import io.github.knotresolver.fit.SceneWindow;
+import io.github.knotresolver.progress.Progress;
+
+/**
+ * A glider that was followed in one direction of time, made better by what comes later: each
+ * frame is tried as the frames before and after it say, a little back or farther along the
+ * track, and keeps what is cheapest in light, bending and motion from the one and to the other.
+ * So what is hidden in one frame, and seen in the next, is right in both.
+ */
+final class BothWays {
+
+	/** A glider may be faster or slower by so much from frame to frame (pixels). */
+	private static final double[] CHANGES = {0, -1, 1, -2, 2};
+
+	private final SceneLine line;
+	private final FitSettings settings;
+	private final ScenePass pass;
+	private final int filament;
+
+	/**
+	 * @param line what a line looks like, and the frames
+	 * @param weights of the fit
+	 * @param pass all filaments
+	 * @param filament the one that was followed
+	 */
+	BothWays(final SceneLine line, final SceneWeights weights, final ScenePass pass,
+		final int filament) {
+		this.line = line;
+		settings = weights.tracked();
+		this.pass = pass;
+		this.filament = filament;
+	}
+
+	/**
+	 * Sweeps over all frames, there and back, until nothing changes; O(frames) each.
+	 *
+	 * @param chains the filament in all frames, with as many links in each; changed in place
+	 * @param other another course of it, which is tried as well; the same if there is none
+	 * @param progress asked whether to stop
+	 */
+	void settle(final List<Chain> chains, final List<Chain> other, final Progress progress) {
+		final int n = chains.size();
+		boolean changed = true;
+		for (int round = 0; round < SceneTuning.BOTH_ROUNDS && changed; round++) {
+			changed = false;
+			for (int i = 0; i < 2 * n; i++) {
+				progress.checkCancelled();
+				changed |= improve(chains, other, i < n ? n - 1 - i : i - n);
+			}
+		}
+	}
+
+	private boolean improve(final List<Chain> chains, final List<Chain> other, final int t) {
+		final Chain here = chains.get(t);
+		final List<List<Chain>> predictions = new ArrayList<>();
+		for (int beside = t - 1; beside <= t + 1; beside += 2)
+			if (beside >= 0 && beside < chains.size())
+				predictions.add(predictions(here, chains.get(beside)));
+		final List<Chain> all = new ArrayList<>(List.of(here, other.get(t)));
+		predictions.forEach(all::addAll);
+		final List<Chain> others = new ArrayList<>(pass.chains().get(t));
+		others.remove(filament);
+		final SceneWindow window = line.scene(t, others).window(all);
+		final List<Fit> tried = new ArrayList<>(List.of(window.price(other.get(t), settings)));
+		for (final List<Chain> some : predictions) {
+			final Chain expected = cheapest(window, some);
+			if (expected.farthest(here) >= SceneTuning.PURSUIT_SAME)
+				tried.add(window.fit(expected, Optional.of(expected), settings));
+		}
+		double lowest = price(chains, t, window.price(here, settings));
+		for (final Fit fit : tried) {
+			final double price = price(chains, t, fit);
+			if (price < lowest - SceneTuning.BOTH_BETTER) {
+				lowest = price;
+				chains.set(t, fit.chain());
+			}
+		}
+		return chains.get(t) != here;
+	}
+
+	/** Where the filament would be as a frame beside it says. */
+	private static List<Chain> predictions(final Chain here, final Chain beside) {
+		final double by = beside.slide(here);
+		final List<Chain> all = new ArrayList<>(List.of(beside));
+		for (final double change : CHANGES)
+			all.add(beside.slid(by + change));
+		return all;
+	}
+
+	private Chain cheapest(final SceneWindow window, final List<Chain> predictions) {
+		Chain best = predictions.get(0);
+		double lowest = Double.POSITIVE_INFINITY;
+		for (final Chain p : predictions) {
+			final double energy = window.price(p, settings).energy();
+			if (energy < lowest) {
+				lowest = energy;
+				best = p;
+			}
+		}
+		return best;
+	}
+
+	private double price(final List<Chain> chains, final int t, final Fit fit) {
+		double price = fit.energy();
+		if (t > 0)
+			price += off(chains.get(t - 1), fit.chain());
+		if (t + 1 < chains.size())
+			price += off(fit.chain(), chains.get(t + 1));
+		return price;
+	}
+
+	/** How far a filament left its track, where both lie on it. */
+	private double off(final Chain before, final Chain after) {
+		final double by = before.slide(after);
+		final Chain slid = before.slid(by);
+		final int out = (int) Math.ceil(Math.abs(by) / before.linkLength()), n = before.links();
+		final int from = by < 0 ? out : 0, to = by < 0 ? n : n - out;
+		final int middle = n / 2;
+		final double full = 2 * Math.PI
+			* Math.rint((after.angle(middle) - slid.angle(middle)) / (2 * Math.PI));
+		double sum = 0;
+		for (int i = from; i < to; i++) {
+			final double d = after.angle(i) - slid.angle(i) - full;
+			sum += d * d;
+		}
+		return settings.memory() * before.linkLength() * sum;
+	}
+}
