@@ -104,8 +104,8 @@ final class Pursuit {
 		final Fit usual = window.fit(first.chain(), Optional.of(expected), loose);
 		found.add(course(course, usual, expected, expected));
 		for (final Chain turned : turned(window, course, expected, usual.energy()))
-			found.add(course(course, window.fit(turned, Optional.of(turned), loose), turned,
-				expected));
+			found.add(
+				course(course, window.fit(turned, Optional.of(turned), loose), turned, expected));
 		return found;
 	}
 
