@@ -71,6 +71,26 @@ public final class SceneWindow {
 			new FilamentFitter(term, links, Optional.empty(), settings).price(here(chain)));
 	}
 
+	/**
+	 * The cheapest of some chains as they are; O(chains * links).
+	 *
+	 * @param chains at least one
+	 * @param settings weights
+	 * @return the first of those that cost least
+	 */
+	public Chain cheapest(final List<Chain> chains, final FitSettings settings) {
+		Chain best = chains.get(0);
+		double lowest = Double.POSITIVE_INFINITY;
+		for (final Chain chain : chains) {
+			final double energy = price(chain, settings).energy();
+			if (energy < lowest) {
+				lowest = energy;
+				best = chain;
+			}
+		}
+		return best;
+	}
+
 	private Chain here(final Chain chain) {
 		return chain.shifted(-patch.left(), -patch.top());
 	}

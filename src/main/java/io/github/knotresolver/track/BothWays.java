@@ -19,9 +19,6 @@ import io.github.knotresolver.progress.Progress;
  */
 final class BothWays {
 
-	/** A glider may be faster or slower by so much from frame to frame (pixels). */
-	private static final double[] CHANGES = {0, -1, 1, -2, 2};
-
 	private final SceneLine line;
 	private final FitSettings settings;
 	private final ScenePass pass;
@@ -73,7 +70,7 @@ final class BothWays {
 		final SceneWindow window = line.scene(t, others).window(all);
 		final List<Fit> tried = new ArrayList<>(List.of(window.price(other.get(t), settings)));
 		for (final List<Chain> some : predictions) {
-			final Chain expected = cheapest(window, some);
+			final Chain expected = window.cheapest(some, settings);
 			if (expected.farthest(here) >= SceneTuning.PURSUIT_SAME)
 				tried.add(window.fit(expected, Optional.of(expected), settings));
 		}
@@ -92,22 +89,9 @@ final class BothWays {
 	private static List<Chain> predictions(final Chain here, final Chain beside) {
 		final double by = beside.slide(here);
 		final List<Chain> all = new ArrayList<>(List.of(beside));
-		for (final double change : CHANGES)
+		for (final double change : Pursuit.CHANGES)
 			all.add(beside.slid(by + change));
 		return all;
-	}
-
-	private Chain cheapest(final SceneWindow window, final List<Chain> predictions) {
-		Chain best = predictions.get(0);
-		double lowest = Double.POSITIVE_INFINITY;
-		for (final Chain p : predictions) {
-			final double energy = window.price(p, settings).energy();
-			if (energy < lowest) {
-				lowest = energy;
-				best = p;
-			}
-		}
-		return best;
 	}
 
 	private double price(final List<Chain> chains, final int t, final Fit fit) {

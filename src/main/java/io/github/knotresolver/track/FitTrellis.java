@@ -44,15 +44,11 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 	 * @param evidence what can be seen of each frame's contour; empty where there is none
 	 * @param lengths of the chosen chains in pixels; NaN where there is none
 	 * @param looks at the chosen chains; empty where there is none
+	 * @param elsewhere in how many frames contours do not end where their light does, as a figure
 	 * @param price of the movie
 	 */
 	record Solved(List<Observation> frames, List<Optional<FitEvidence>> evidence, double[] lengths,
-		List<Optional<FitLook>> looks, double price) {
-
-		/** In how many frames contours do not end where their light does, as a figure. */
-		double elsewhere() {
-			return FitLook.elsewhere(looks.stream().flatMap(Optional::stream).toList());
-		}
+		List<Optional<FitLook>> looks, double elsewhere, double price) {
 	}
 
 	/**
@@ -74,10 +70,10 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 				? Optional.empty()
 				: Optional.of(looks.apply(t, chosen(t, path))));
 		}
-		final double elsewhere = FitLook
-			.elsewhere(seen.stream().flatMap(Optional::stream).toList());
-		final double pattern = RobustStatistics.upperMedian(
-			seen.stream().flatMap(Optional::stream).mapToDouble(l -> pattern(l)).toArray(), 0);
+		final List<FitLook> all = seen.stream().flatMap(Optional::stream).toList();
+		final double elsewhere = FitLook.elsewhere(all);
+		final double pattern = RobustStatistics
+			.upperMedian(all.stream().mapToDouble(l -> pattern(l)).toArray(), 0);
 		final FitConfidence confidence = FitConfidence
 			.learn(seen.stream().map(s -> s.map(FitLook::quality)).toList());
 		final List<Observation> tracked = new ArrayList<>();
@@ -94,7 +90,7 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 				.mapToDouble(
 					t -> path.choice()[t] < 0 ? Double.NaN : chosen(t, path).chain().length())
 				.toArray(),
-			seen, path.total());
+			seen, elsewhere, path.total());
 	}
 
 	private Observation tracked(final int t, final TrellisPath path,

@@ -22,7 +22,7 @@ import io.github.knotresolver.progress.Workers;
 final class Pursuit {
 
 	/** A glider may be faster or slower by so much from frame to frame (pixels). */
-	private static final double[] CHANGES = {0, -1, 1, -2, 2};
+	static final double[] CHANGES = {0, -1, 1, -2, 2};
 
 	/** An end that turns may be so much farther than it seems (pixels). */
 	private static final double[] AHEAD = {0, 1.5, 3};
@@ -90,15 +90,7 @@ final class Pursuit {
 		final Scene scene = line.scene(t, others);
 		final List<Chain> predictions = predictions(course);
 		final SceneWindow window = scene.window(predictions);
-		Chain expected = predictions.get(0);
-		double lowest = Double.POSITIVE_INFINITY;
-		for (final Chain p : predictions) {
-			final double energy = window.price(p, loose).energy();
-			if (energy < lowest) {
-				lowest = energy;
-				expected = p;
-			}
-		}
+		final Chain expected = window.cheapest(predictions, loose);
 		final List<Course> found = new ArrayList<>();
 		final Fit first = window.fit(expected, Optional.of(expected), rigid);
 		final Fit usual = window.fit(first.chain(), Optional.of(expected), loose);
