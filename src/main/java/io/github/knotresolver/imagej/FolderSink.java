@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.List;
 
 import ij.ImagePlus;
-import io.github.knotresolver.imagej.plot.AnimatedOverlay;
 import io.github.knotresolver.imagej.plot.Figures;
 import io.github.knotresolver.imagej.plot.Pictures;
 import io.github.knotresolver.io.ContoursCsv;
@@ -107,19 +106,18 @@ public final class FolderSink implements ResultSink {
 		if (plots)
 			pictures.draw("overlay.avi", file -> {
 				final ImagePlus overlay = OverlayRenderer.stack(tracks, progress);
-				AnimatedOverlay.write(file, overlay, FRAMES_PER_SECOND);
+				OverlayStack.writeFilm(overlay, file, FRAMES_PER_SECOND);
 			});
 		progress.checkCancelled();
-		pictures.draw("montage.png", file -> PngFile.write(file, Montage.of(tracks)));
+		pictures.drawPng("montage.png", () -> Montage.of(tracks));
 		if (!plots)
 			return;
-		pictures.draw("overlay.png",
-			file -> PngFile.write(file, OverlayRenderer.projection(tracks)));
+		pictures.drawPng("overlay.png", () -> OverlayRenderer.projection(tracks));
 		if (tracks.filaments().size() > 1)
 			for (final FilamentTrack filament : tracks.filaments()) {
 				progress.checkCancelled();
-				pictures.draw("montage-" + MeasuredFilament.number(filament.id()) + ".png",
-					file -> PngFile.write(file, Montage.of(tracks, List.of(filament))));
+				pictures.drawPng("montage-" + MeasuredFilament.number(filament.id()) + ".png",
+					() -> Montage.of(tracks, List.of(filament)));
 			}
 	}
 

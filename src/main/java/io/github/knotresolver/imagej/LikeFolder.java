@@ -49,8 +49,8 @@ public final class LikeFolder {
 			final Pictures pictures = new Pictures(folder.path());
 			final SimulatedMovie first = study.movie(result.motion(), result.movies().get(0).seed(),
 				progress);
-			pictures.draw(COMPARISON,
-				file -> PngFile.write(file, SideBySide.of(result.source().movie(), first.movie())));
+			pictures.drawPng(COMPARISON,
+				() -> SideBySide.of(result.source().movie(), first.movie()));
 			leftOut.addAll(pictures.notes());
 		}
 		progress.checkCancelled();

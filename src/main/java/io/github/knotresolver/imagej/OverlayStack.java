@@ -13,9 +13,11 @@ import ij.VirtualStack;
 import ij.io.FileInfo;
 import ij.io.FileSaver;
 import ij.io.TiffEncoder;
+import ij.plugin.filter.AVI_Writer;
 import ij.process.ColorProcessor;
 import ij.process.ImageProcessor;
 import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -25,6 +27,7 @@ import io.github.knotresolver.progress.Progress;
 final class OverlayStack extends VirtualStack {
 
 	private static final int RGB_BITS = 24;
+	private static final int FILM_QUALITY = 85;
 
 	private final Tracks tracks;
 	private final ContourPainter painter;
@@ -97,5 +100,28 @@ final class OverlayStack extends VirtualStack {
 		for (int n = 1; n <= info.nImages; n++)
 			info.sliceLabels[n - 1] = image.getStack().getSliceLabel(n);
 		new TiffEncoder(info).write(out);
+	}
+
+	/**
+	 * Writes a stack as a film that any player and slide show takes.
+	 *
+	 * @param image an image with an RGB stack
+	 * @param file the AVI file (JPEG frames) to write; replaced if it is there
+	 * @param framesPerSecond above 0 to 60
+	 * @throws UserException if the speed is out of range
+	 * @throws IOException if a file cannot be written
+	 */
+	static void writeFilm(final ImagePlus image, final Path file, final double framesPerSecond)
+		throws IOException {
+		if (!(framesPerSecond > 0 && framesPerSecond <= 60))
+			throw new UserException(
+				"The speed must be above 0 and at most 60 frames per second, but is "
+					+ framesPerSecond + ".");
+		// The stack may be larger than memory, so it is not copied.
+		final ImagePlus film = new ImagePlus(image.getTitle(), image.getStack());
+		film.getCalibration().fps = framesPerSecond;
+		Files.deleteIfExists(file);
+		new AVI_Writer().writeImage(film, file.toString(), AVI_Writer.JPEG_COMPRESSION,
+			FILM_QUALITY);
 	}
 }

@@ -1,6 +1,7 @@
 package io.github.knotresolver.imagej;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -20,6 +21,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 import ij.IJ;
 import ij.ImagePlus;
+import ij.ImageStack;
 import ij.VirtualStack;
 import ij.process.ColorProcessor;
 import ij.process.ImageProcessor;
@@ -31,6 +33,7 @@ import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Tracks;
+import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 
 /** The overlay is written frame by frame, whatever its size. */
@@ -53,6 +56,18 @@ class OverlayStackTest {
 		assertEquals(2, read.getCalibration().frameInterval, 1e-9);
 		for (int n = 1; n <= 3; n++)
 			assertEquals(0, difference(overlay, read, n), "frame " + n);
+	}
+
+	@Test
+	void filmHasAllFramesAndRefusesOddSpeeds() throws IOException {
+		final ImageStack stack = new ImageStack(32, 24);
+		for (int i = 0; i < 5; i++)
+			stack.addSlice(new ColorProcessor(32, 24));
+		final Path file = folder.resolve("overlay.avi");
+		OverlayStack.writeFilm(new ImagePlus("overlay", stack), file, 10);
+		assertEquals(5, IJ.openImage(file.toString()).getStackSize());
+		assertThrows(UserException.class,
+			() -> OverlayStack.writeFilm(new ImagePlus("overlay", stack), file, 0));
 	}
 
 	/** More than any Java array holds, more than any memory that a test has. */

@@ -1,11 +1,15 @@
 package io.github.knotresolver.imagej.plot;
 
+import java.awt.image.RenderedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.function.Supplier;
+
+import javax.imageio.ImageIO;
 
 import io.github.knotresolver.io.Failure;
 import io.github.knotresolver.progress.CancelledException;
@@ -52,6 +56,20 @@ public final class Pictures {
 			Files.deleteIfExists(file);
 			notes.put(name, name + " was left out. " + reason(e));
 		}
+	}
+
+	/**
+	 * @param name the file's name
+	 * @param picture draws it, to be written as PNG
+	 * @throws IOException if the file cannot be written, or this Java has no PNG
+	 * @throws CancelledException if the user asked to stop
+	 */
+	public void drawPng(final String name, final Supplier<? extends RenderedImage> picture)
+		throws IOException {
+		draw(name, file -> {
+			if (!ImageIO.write(picture.get(), "png", file.toFile()))
+				throw new IOException("This Java cannot write PNG pictures.");
+		});
 	}
 
 	private static String reason(final Throwable e) {

@@ -32,7 +32,6 @@ import org.junit.jupiter.api.io.TempDir;
 
 import ij.IJ;
 import ij.ImagePlus;
-import ij.ImageStack;
 import ij.gui.Plot;
 import ij.measure.ResultsTable;
 import ij.process.ColorProcessor;
@@ -43,7 +42,6 @@ import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.measure.MovieMeasurements;
 import io.github.knotresolver.measure.Quantity;
 import io.github.knotresolver.model.Calibration;
-import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 
@@ -201,18 +199,6 @@ class FiguresTest {
 			else
 				assertFalse(frames.isEmpty() || frames.contains(MISSING + 1), frames.toString());
 		}
-	}
-
-	@Test
-	void filmHasAllFramesAndRefusesOddSpeeds() throws IOException {
-		final ImageStack stack = new ImageStack(32, 24);
-		for (int i = 0; i < 5; i++)
-			stack.addSlice(new ColorProcessor(32, 24));
-		final Path file = folder.resolve("overlay.avi");
-		AnimatedOverlay.write(file, new ImagePlus("overlay", stack), 10);
-		assertEquals(5, IJ.openImage(file.toString()).getStackSize());
-		assertThrows(UserException.class,
-			() -> AnimatedOverlay.write(file, new ImagePlus("overlay", stack), 0));
 	}
 
 	@Test
