@@ -4,6 +4,7 @@ import java.util.Arrays;
 
 import io.github.knotresolver.contour.DiscreteFrechet;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.progress.Cancellation;
 
 /**
  * How near one contour is to the true one. Both are resampled at 1 px; pixels
@@ -50,12 +51,11 @@ public record CurveScore(int truePositives, int falsePositives, int falseNegativ
 				"Contours to compare must be longer than 0 pixels, but are " + truth.length()
 					+ " and " + result.length() + ".");
 		final Polyline t = truth.resampled(COARSE), r = result.resampled(COARSE);
-		final int found = found(NearestDistances.of(r, t));
-		final int covered = found(NearestDistances.of(t, r));
+		final int found = found(nearestDistances(r, t));
+		final int covered = found(nearestDistances(t, r));
 		return new CurveScore(found, r.size() - found, t.size() - covered,
 			DiscreteFrechet.distance(t, r), DiscreteFrechet.distance(t, r.reversed()),
-			mean(positionErrors(truth, result)),
-			mean(NearestDistances.of(t, result.resampled(FINE))),
+			mean(positionErrors(truth, result)), mean(nearestDistances(t, result.resampled(FINE))),
 			100 * (result.length() - truth.length()) / truth.length());
 	}
 
@@ -69,7 +69,7 @@ public record CurveScore(int truePositives, int falsePositives, int falseNegativ
 	 *         in pixels
 	 */
 	public static double[] positionErrors(final Polyline truth, final Polyline result) {
-		return NearestDistances.of(result.resampled(COARSE), truth.resampled(FINE));
+		return nearestDistances(result.resampled(COARSE), truth.resampled(FINE));
 	}
 
 	/** @return the {@link #diceIndex Dice index}, 0..1; 0 if there is no result */
@@ -110,5 +110,47 @@ public record CurveScore(int truePositives, int falsePositives, int falseNegativ
 
 	private static double mean(final double[] values) {
 		return Arrays.stream(values).average().orElse(Double.NaN);
+	}
+
+	/**
+	 * Distances from points to the nearest point of a set. O(n · m).
+	 *
+	 * @param from n points
+	 * @param to m points
+	 * @return for every point of {@code from} the distance to the nearest of
+	 *         {@code to}, in pixels
+	 */
+	static double[] nearestDistances(final Polyline from, final Polyline to) {
+		return nearestDistances(from.xs(), from.ys(), to.xs(), to.ys());
+	}
+
+	/**
+	 * The same of points in any order. O(n · m).
+	 *
+	 * @param fromX columns of n points
+	 * @param fromY their rows
+	 * @param toX columns of m points
+	 * @param toY their rows
+	 * @return for every point the distance to the nearest of the others, in pixels;
+	 *         infinite if there are no others
+	 */
+	static double[] nearestDistances(final double[] fromX, final double[] fromY, final double[] toX,
+		final double[] toY) {
+		final double[] nearest = new double[fromX.length];
+		for (int i = 0; i < nearest.length; i++) {
+			Cancellation.check();
+			nearest[i] = nearest(fromX[i], fromY[i], toX, toY);
+		}
+		return nearest;
+	}
+
+	private static double nearest(final double px, final double py, final double[] x,
+		final double[] y) {
+		double best = Double.POSITIVE_INFINITY;
+		for (int j = 0; j < x.length; j++) {
+			final double dx = x[j] - px, dy = y[j] - py;
+			best = Math.min(best, dx * dx + dy * dy);
+		}
+		return Math.sqrt(best);
 	}
 }

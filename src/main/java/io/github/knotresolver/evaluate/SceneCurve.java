@@ -55,7 +55,7 @@ final class SceneCurve {
 
 	/** No point is farther from the other curve than its Frechet distance may be. */
 	private static boolean isNear(final Polyline a, final Polyline b) {
-		return Arrays.stream(NearestDistances.of(a, b))
+		return Arrays.stream(CurveScore.nearestDistances(a, b))
 			.allMatch(d -> d <= CurveScore.RESOLVED_BELOW);
 	}
 

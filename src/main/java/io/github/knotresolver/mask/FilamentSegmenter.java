@@ -1,12 +1,16 @@
 
 package io.github.knotresolver.mask;
 
+import java.util.ArrayList;
+import java.util.List;
+
 import net.imglib2.RandomAccessibleInterval;
 import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
 import net.imglib2.type.numeric.real.FloatType;
 
 import io.github.knotresolver.model.Segmentation;
+import io.github.knotresolver.progress.Progress;
 
 /**
  * Finds the masks of all objects in a clean frame: threshold, active contour,
@@ -65,6 +69,28 @@ public final class FilamentSegmenter {
 		final Img<BitType> mask = ChanVese.evolve(frame, seed, iterations(),
 			segmentation.contractionBias(), segmentation.smoothFactor());
 		return MaskRepair.fillPinHoles(MaskRepair.removeSpecks(mask, SPECK), PIN_HOLE);
+	}
+
+	/**
+	 * A baseline of the paper: only the first frame is thresholded, and each other
+	 * frame's contour starts from the mask of the frame before. It loses filaments
+	 * that move by more than the contour can follow.
+	 *
+	 * @param frames clean frames in order, all of the same size
+	 * @param progress is told how far it is and may cancel
+	 * @return for each frame a mask with all objects; empty masks once the contour
+	 *         has vanished
+	 */
+	public List<Img<BitType>> segmentByContourAlone(
+		final List<? extends RandomAccessibleInterval<FloatType>> frames, final Progress progress) {
+		final List<Img<BitType>> masks = new ArrayList<>(frames.size());
+		for (final RandomAccessibleInterval<FloatType> frame : frames) {
+			progress.checkCancelled();
+			masks.add(
+				masks.isEmpty() ? segment(frame) : segmentFrom(frame, masks.get(masks.size() - 1)));
+			progress.report("Moving contours", masks.size() / (double) frames.size());
+		}
+		return masks;
 	}
 
 	private int iterations() {

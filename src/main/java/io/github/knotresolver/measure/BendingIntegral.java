@@ -15,11 +15,11 @@ final class BendingIntegral {
 	private final double[] curvature;
 	private final double[] variance;
 	private final double[] crossed;
-	private final CurvatureWeights weights;
+	private final Weights weights;
 	private final SmoothingBias bias;
 
 	BendingIntegral(final Samples raw, final double[] curvature, final double[] variance,
-		final double[] crossed, final CurvatureWeights weights, final SmoothingBias bias) {
+		final double[] crossed, final Weights weights, final SmoothingBias bias) {
 		this.raw = raw;
 		this.curvature = curvature;
 		this.variance = variance;
@@ -76,5 +76,42 @@ final class BendingIntegral {
 
 	private double step(final int i) {
 		return (raw.s(Math.min(i + 1, raw.size() - 1)) - raw.s(Math.max(i - 1, 0))) / 2;
+	}
+
+	/**
+	 * How each point moves each curvature: the weights of the local polynomials.
+	 */
+	static final class Weights {
+
+		private final Samples raw;
+		private final int[] from;
+		private final int[] to;
+		/** Weight of point j for curvature i is a polynomial in s_j - s_i. */
+		private final double[][] polynomial;
+
+		Weights(final Samples raw, final int order) {
+			this.raw = raw;
+			from = new int[raw.size()];
+			to = new int[raw.size()];
+			polynomial = new double[raw.size()][order + 1];
+		}
+
+		void keep(final int i, final int[] window, final LocalPolynomial fit, final double scale) {
+			from[i] = window[0];
+			to[i] = window[1];
+			fit.copyWeights(2, scale, polynomial[i]);
+		}
+
+		/** Adds {@code factor} times the weights for curvature {@code i}. */
+		void add(final int i, final double factor, final double[] sum) {
+			final double[] p = polynomial[i];
+			for (int j = from[i]; j < to[i]; j++) {
+				final double d = raw.s(j) - raw.s(i);
+				double w = 0;
+				for (int k = p.length - 1; k >= 0; k--)
+					w = w * d + p[k];
+				sum[j] += factor * w;
+			}
+		}
 	}
 }

@@ -15,7 +15,7 @@ final class SineFits {
 	/** Of each value, from the first. */
 	private final int[] frame;
 	private final ChirpTransform transform;
-	private final SineMoments[] moments;
+	private final SineFit.Moments[] moments;
 
 	private SineFits(final TimeSeries series, final FrequencyGrid grid, final double[] weight) {
 		this.grid = grid;
@@ -31,9 +31,9 @@ final class SineFits {
 		final double[] spread = spread(i -> weight[i]);
 		final double[][] once = transform.sums(spread),
 			twice = new ChirpTransform(frames, grid, 2).sums(spread);
-		moments = new SineMoments[grid.size()];
+		moments = new SineFit.Moments[grid.size()];
 		Arrays.setAll(moments,
-			k -> SineMoments.of(once[0][k], once[1][k], twice[0][k], twice[1][k]));
+			k -> SineFit.Moments.of(once[0][k], once[1][k], twice[0][k], twice[1][k]));
 	}
 
 	/** Weights: Hann's window over the duration of the series. */

@@ -20,7 +20,7 @@ final class SmoothedCurve {
 	/** Variances of value, angle and curvature for unit independent noise. */
 	private final double[][] variance;
 	private final SmoothingBias bias;
-	private final CurvatureWeights weights;
+	private final BendingIntegral.Weights weights;
 
 	private SmoothedCurve(final Samples raw, final double window, final int order) {
 		final int n = raw.size();
@@ -34,7 +34,7 @@ final class SmoothedCurve {
 		part = new double[n];
 		variance = new double[3][n];
 		bias = new SmoothingBias(raw, window);
-		weights = new CurvatureWeights(raw, order);
+		weights = new BendingIntegral.Weights(raw, order);
 	}
 
 	/** @return the curve smoothed with one window, at every point */

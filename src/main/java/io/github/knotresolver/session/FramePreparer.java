@@ -20,7 +20,6 @@ import io.github.knotresolver.image.FrameCleaner;
 import io.github.knotresolver.image.GaussianBlur;
 import io.github.knotresolver.image.PixelNoise;
 import io.github.knotresolver.image.Pixels;
-import io.github.knotresolver.mask.ActiveContourOnly;
 import io.github.knotresolver.mask.FilamentSegmenter;
 import io.github.knotresolver.mask.LocalThreshold;
 import io.github.knotresolver.model.Movie;
@@ -78,7 +77,7 @@ final class FramePreparer {
 
 	/** One frame's mask is the next one's start. */
 	private List<Img<BitType>> carried(final List<Integer> frames, final Progress progress) {
-		return ActiveContourOnly.segment(new AbstractList<>() {
+		return segmenter.segmentByContourAlone(new AbstractList<>() {
 
 			@Override
 			public RandomAccessibleInterval<FloatType> get(final int i) {
@@ -89,7 +88,7 @@ final class FramePreparer {
 			public int size() {
 				return frames.size();
 			}
-		}, segmenter, progress);
+		}, progress);
 	}
 
 	private FrameView view(final int frame, final Img<BitType> mask) {

@@ -24,9 +24,9 @@ public record SkeletonScore(double dice, double[] errors) {
 	 */
 	public static SkeletonScore of(final Polyline truth, final double[] x, final double[] y) {
 		final Polyline t = truth.resampled(COARSE), fine = truth.resampled(FINE);
-		final int found = CurveScore.found(NearestDistances.of(x, y, t.xs(), t.ys()));
-		final int covered = CurveScore.found(NearestDistances.of(t.xs(), t.ys(), x, y));
+		final int found = CurveScore.found(CurveScore.nearestDistances(x, y, t.xs(), t.ys()));
+		final int covered = CurveScore.found(CurveScore.nearestDistances(t.xs(), t.ys(), x, y));
 		return new SkeletonScore(CurveScore.diceIndex(found, x.length - found, t.size() - covered),
-			NearestDistances.of(x, y, fine.xs(), fine.ys()));
+			CurveScore.nearestDistances(x, y, fine.xs(), fine.ys()));
 	}
 }

@@ -154,11 +154,11 @@ class FilamentSegmenterTest {
 	@Test
 	void contourAloneFollowsSlowMotionAndLosesFast() {
 		final List<Img<FloatType>> slow = List.of(lineAt(20), lineAt(21), lineAt(22));
-		final List<Img<BitType>> masks = ActiveContourOnly.segment(slow, published, Progress.NONE);
+		final List<Img<BitType>> masks = published.segmentByContourAlone(slow, Progress.NONE);
 		final MaskObject last = ConnectedComponents.of(masks.get(2)).objects().get(0);
 		assertEquals(22, (last.minY() + last.maxY()) / 2.0, 0.6);
 		final List<Img<FloatType>> fast = List.of(lineAt(20), lineAt(50));
-		final Img<BitType> lost = ActiveContourOnly.segment(fast, published, Progress.NONE).get(1);
+		final Img<BitType> lost = published.segmentByContourAlone(fast, Progress.NONE).get(1);
 		final boolean[] truth = Pixels.bits(published.segment(lineAt(50)));
 		final boolean[] contour = Pixels.bits(lost);
 		for (int i = 0; i < truth.length; i++)
@@ -169,7 +169,7 @@ class FilamentSegmenterTest {
 	void cancellingStopsTheContours() {
 		final Progress cancelled = new CancelledProgress();
 		assertThrows(CancelledException.class,
-			() -> ActiveContourOnly.segment(List.of(lineAt(20)), published, cancelled));
+			() -> published.segmentByContourAlone(List.of(lineAt(20)), cancelled));
 	}
 
 	private static Img<FloatType> lineAt(final int y) {
