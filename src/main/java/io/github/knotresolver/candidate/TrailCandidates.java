@@ -35,11 +35,10 @@ import io.github.knotresolver.progress.Progress;
  * @param prices weights of the price
  */
 public record TrailCandidates(int limit, int beam, int maxUses,
-	TrailPrices prices) implements CandidateGenerator {
+	Prices prices) implements CandidateGenerator {
 
 	/** 40 candidates, every segment at most twice. */
-	public static final TrailCandidates DEFAULT = new TrailCandidates(40, 1000, 2,
-		TrailPrices.DEFAULT);
+	public static final TrailCandidates DEFAULT = new TrailCandidates(40, 1000, 2, Prices.DEFAULT);
 
 	public TrailCandidates {
 		if (limit < 1 || beam < 1 || maxUses < 1 || maxUses > Byte.MAX_VALUE)
@@ -107,5 +106,32 @@ public record TrailCandidates(int limit, int beam, int maxUses,
 			}
 		}
 		return chosen;
+	}
+
+	/**
+	 * Weights of the parts of a trail's price. The defaults were chosen on
+	 * simulated spirals with known truth.
+	 *
+	 * @param turning pixels for a right-angled turn; a reversal costs twice as much
+	 * @param uncovered per pixel of skeleton left out
+	 * @param lengthMisfit per pixel too long or too short
+	 * @param overlap per pixel walked a second time, if the length is known
+	 * @param overlapUnknown the same if the length is not known and nothing else
+	 *          holds a trail back from walking everything twice
+	 */
+	public record Prices(double turning, double uncovered, double lengthMisfit, double overlap,
+		double overlapUnknown) {
+
+		/** What has been found to work. */
+		public static final Prices DEFAULT = new Prices(6, 1, 1, 0.1, 0.5);
+
+		public Prices {
+			if (!(turning >= 0 && uncovered >= 0 && lengthMisfit >= 0 && overlap >= 0
+				&& overlapUnknown >= 0))
+				throw new IllegalArgumentException(
+					"Weights of prices must be at least 0, but are turning " + turning
+						+ ", uncovered " + uncovered + ", lengthMisfit " + lengthMisfit
+						+ ", overlap " + overlap + " and overlapUnknown " + overlapUnknown + ".");
+		}
 	}
 }

@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 /** Prices trails of one graph, finished ones and those under way. */
 final class TrailPricing {
 
-	private final TrailPrices weights;
+	private final TrailCandidates.Prices weights;
 	private final OptionalDouble known;
 	private final double total;
 	private final double overlap;
@@ -15,7 +15,8 @@ final class TrailPricing {
 	 * @param known the filament's length in pixels, if known
 	 * @param total length of the skeleton in pixels
 	 */
-	TrailPricing(final TrailPrices weights, final OptionalDouble known, final double total) {
+	TrailPricing(final TrailCandidates.Prices weights, final OptionalDouble known,
+		final double total) {
 		this.weights = weights;
 		this.known = known;
 		this.total = total;

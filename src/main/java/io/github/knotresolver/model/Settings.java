@@ -293,4 +293,20 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 			return this;
 		}
 	}
+
+	/** Which candidate contours are generated from a frame's graph. */
+	public enum CandidateMethod {
+		/** The published method: simple paths near the template. */
+		PAPER,
+		/** Trails that may use a segment twice. */
+		TRAILS
+	}
+
+	/** How one contour per frame is chosen among the candidates. */
+	public enum ResolverMethod {
+		/** The published method: nearest to the last contour by DTW. */
+		PAPER,
+		/** The cheapest way through the whole movie. */
+		MOVIE
+	}
 }

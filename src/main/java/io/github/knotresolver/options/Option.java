@@ -38,8 +38,8 @@ public final class Option {
 	private String help = "";
 	private String byDefault = "";
 	private String range = "";
-	private BiConsumer<Draft, String> reader;
-	private Function<ChosenOptions, Object> writer;
+	private BiConsumer<RunOptions.Draft, String> reader;
+	private Function<RunOptions.Chosen, Object> writer;
 
 	Option(final String key, final Kind kind) {
 		this.key = key;
@@ -98,7 +98,7 @@ public final class Option {
 	}
 
 	/** Takes a value from text. */
-	void read(final Draft draft, final String text) {
+	void read(final RunOptions.Draft draft, final String text) {
 		reader.accept(draft, text);
 	}
 
@@ -108,7 +108,7 @@ public final class Option {
 	}
 
 	/** @return its value as JSON has it; null if it was not told and has no value of its own */
-	Object value(final ChosenOptions chosen) {
+	Object value(final RunOptions.Chosen chosen) {
 		return writer.apply(chosen);
 	}
 
@@ -149,12 +149,12 @@ public final class Option {
 		return this;
 	}
 
-	Option reads(final BiConsumer<Draft, String> how) {
+	Option reads(final BiConsumer<RunOptions.Draft, String> how) {
 		reader = how;
 		return this;
 	}
 
-	Option writes(final Function<ChosenOptions, Object> how) {
+	Option writes(final Function<RunOptions.Chosen, Object> how) {
 		writer = how;
 		return this;
 	}

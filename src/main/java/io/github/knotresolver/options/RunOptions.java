@@ -7,12 +7,15 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeMap;
 
 import io.github.knotresolver.model.Calibration;
+import io.github.knotresolver.model.Cleaning;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.Movie;
+import io.github.knotresolver.model.Segmentation;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.session.FrameChoice;
@@ -76,7 +79,7 @@ public final class RunOptions {
 	 */
 	public static Map<String, Object> values(final Settings settings, final InputOptions input,
 		final Calibration calibration) {
-		final ChosenOptions chosen = new ChosenOptions(settings, input, calibration);
+		final Chosen chosen = new Chosen(settings, input, calibration);
 		final Map<String, Object> values = new LinkedHashMap<>();
 		for (final Option option : ResolveOptions.ALL)
 			if (option.isWritten())
@@ -141,5 +144,49 @@ public final class RunOptions {
 	@Override
 	public int hashCode() {
 		return Objects.hash(input, settings, length, corrections);
+	}
+
+	/**
+	 * What the values of a run's options are read from.
+	 *
+	 * @param settings what decided the result
+	 * @param input how the movie was taken from its image
+	 * @param calibration units of the movie
+	 */
+	record Chosen(Settings settings, InputOptions input, Calibration calibration) {
+	}
+
+	/** The options of a run while they are read, one after the other. */
+	static final class Draft {
+
+		final Settings.Builder settings = Settings.DEFAULT.edit();
+		Segmentation segmentation = Segmentation.DEFAULT;
+		OptionalInt logSize = OptionalInt.empty();
+		OptionalDouble logSigma = OptionalDouble.empty();
+		/** In the movie's unit of length, which is known only with the movie. */
+		OptionalDouble length = OptionalDouble.empty();
+		Optional<Path> corrections = Optional.empty();
+		int channel = InputOptions.DEFAULT.channel();
+		boolean zAsTime = InputOptions.DEFAULT.zAsTime();
+		OptionalDouble pixelSize = OptionalDouble.empty();
+		OptionalDouble frameInterval = OptionalDouble.empty();
+		Optional<String> unit = Optional.empty();
+
+		Settings settings() {
+			return settings.segmentation(segmentation).cleaning(cleaning()).build();
+		}
+
+		InputOptions input() {
+			return new InputOptions(channel, zAsTime, pixelSize, frameInterval, unit);
+		}
+
+		private Cleaning cleaning() {
+			if (logSize.isPresent() != logSigma.isPresent())
+				throw new UserException("log_size and log_sigma go together, but only "
+					+ (logSize.isPresent() ? "log_size" : "log_sigma") + " was given.");
+			return logSize.isPresent()
+				? new Cleaning(logSize.getAsInt(), logSigma.getAsDouble())
+				: Cleaning.DEFAULT;
+		}
 	}
 }

@@ -7,8 +7,8 @@ import java.util.Optional;
 import java.util.Set;
 
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.graph.Contact;
 import io.github.knotresolver.graph.FilamentDigraph;
+import io.github.knotresolver.graph.FilamentDigraph.Contact;
 import io.github.knotresolver.graph.Label;
 import io.github.knotresolver.graph.Segment;
 import io.github.knotresolver.graph.SkeletonGraph;

@@ -9,7 +9,7 @@ import org.jgrapht.Graph;
 import org.jgrapht.GraphPath;
 import org.jgrapht.alg.shortestpath.YenKShortestPath;
 
-import io.github.knotresolver.graph.Contact;
+import io.github.knotresolver.graph.FilamentDigraph.Contact;
 import io.github.knotresolver.graph.Label;
 
 /**

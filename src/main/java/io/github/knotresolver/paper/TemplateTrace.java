@@ -11,8 +11,8 @@ import org.jgrapht.alg.shortestpath.BFSShortestPath;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.graph.Contact;
 import io.github.knotresolver.graph.FilamentDigraph;
+import io.github.knotresolver.graph.FilamentDigraph.Contact;
 import io.github.knotresolver.graph.Label;
 
 /** What the last contour says about the vertices of the published digraph. */

@@ -77,9 +77,11 @@ class TrailCandidatesTest {
 				: OptionalDouble.of(lattice.length() * (0.4 + 1.4 * random.nextDouble()));
 			final Point fixedEnd = lattice.segments().get(0).chain().point(0);
 			final RootedGraph rooted = RootedGraph.of(lattice, fixedEnd);
-			final TrailOracle oracle = new TrailOracle(rooted.graph(), known, TrailPrices.DEFAULT);
+			final TrailOracle oracle = new TrailOracle(rooted.graph(), known,
+				TrailCandidates.Prices.DEFAULT);
 			final List<Double> expected = oracle.prices(rooted.roots().get(0), 2);
-			final CandidateSet found = new TrailCandidates(40, WIDE, 2, TrailPrices.DEFAULT)
+			final CandidateSet found = new TrailCandidates(40, WIDE, 2,
+				TrailCandidates.Prices.DEFAULT)
 				.generate(CandidateQuery.of(lattice, fixedEnd, known), Progress.NONE);
 			assertFalse(found.limited());
 			final String where = "seed " + seed + ", trial " + trial + ", " + expected.size()
@@ -100,13 +102,13 @@ class TrailCandidatesTest {
 		final RootedGraph rooted = RootedGraph.of(lattice,
 			lattice.segments().get(0).chain().point(0));
 		final TrailSearch search = new TrailSearch(rooted.graph(),
-			new TrailPricing(TrailPrices.DEFAULT, known, lattice.length()), 2, WIDE, 25);
+			new TrailPricing(TrailCandidates.Prices.DEFAULT, known, lattice.length()), 2, WIDE, 25);
 		final List<Double> found = search.run(
 			rooted.graph().stepsFrom(rooted.roots().get(0)).stream()
 				.map(s -> Trail.along(s, rooted.graph().segments().size(), 0)).toList(),
 			Progress.NONE).stream().map(c -> c.price().total()).toList();
-		final List<Double> expected = new TrailOracle(rooted.graph(), known, TrailPrices.DEFAULT)
-			.prices(rooted.roots().get(0), 2);
+		final List<Double> expected = new TrailOracle(rooted.graph(), known,
+			TrailCandidates.Prices.DEFAULT).prices(rooted.roots().get(0), 2);
 		assertEquals(Math.min(25, expected.size()), found.size());
 		for (int i = 0; i < found.size(); i++)
 			assertEquals(expected.get(i), found.get(i), 1e-9, "seed " + seed + ", trail " + i);
@@ -255,8 +257,8 @@ class TrailCandidatesTest {
 		final Polyline truth = loop(95);
 		final CandidateQuery query = CandidateQuery.of(drawn(truth), truth.first(),
 			OptionalDouble.of(truth.length()));
-		assertTrue(new TrailCandidates(40, 1, 2, TrailPrices.DEFAULT).generate(query, Progress.NONE)
-			.limited());
+		assertTrue(new TrailCandidates(40, 1, 2, TrailCandidates.Prices.DEFAULT)
+			.generate(query, Progress.NONE).limited());
 		assertFalse(TrailCandidates.DEFAULT.generate(query, Progress.NONE).limited());
 	}
 
@@ -297,10 +299,12 @@ class TrailCandidatesTest {
 	@Test
 	void badLimitsAreNamed() {
 		assertTrue(assertThrows(IllegalArgumentException.class,
-			() -> new TrailCandidates(40, 0, 2, TrailPrices.DEFAULT)).getMessage().contains("0"));
+			() -> new TrailCandidates(40, 0, 2, TrailCandidates.Prices.DEFAULT)).getMessage()
+			.contains("0"));
 		assertTrue(assertThrows(IllegalArgumentException.class,
 			() -> CandidateQuery.of(drawn(), new Point(0, 0), OptionalDouble.of(-3))).getMessage()
 			.contains("-3.0"));
-		assertThrows(IllegalArgumentException.class, () -> new TrailPrices(-1, 1, 1, 1, 1));
+		assertThrows(IllegalArgumentException.class,
+			() -> new TrailCandidates.Prices(-1, 1, 1, 1, 1));
 	}
 }

@@ -15,10 +15,11 @@ final class TrailOracle {
 
 	private final SkeletonGraph graph;
 	private final OptionalDouble known;
-	private final TrailPrices weights;
+	private final TrailCandidates.Prices weights;
 	private final List<Double> prices = new ArrayList<>();
 
-	TrailOracle(final SkeletonGraph graph, final OptionalDouble known, final TrailPrices weights) {
+	TrailOracle(final SkeletonGraph graph, final OptionalDouble known,
+		final TrailCandidates.Prices weights) {
 		this.graph = graph;
 		this.known = known;
 		this.weights = weights;

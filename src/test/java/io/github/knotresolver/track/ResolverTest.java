@@ -15,7 +15,6 @@ import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.Drawn;
 import io.github.knotresolver.candidate.TrailCandidates;
-import io.github.knotresolver.candidate.TrailPrices;
 import io.github.knotresolver.contour.DiscreteFrechet;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
@@ -123,7 +122,7 @@ class ResolverTest {
 	@Test
 	void limitsAreTold() {
 		final Resolver narrow = new TrellisResolver(
-			new TrailCandidates(5, 1, 2, TrailPrices.DEFAULT));
+			new TrailCandidates(5, 1, 2, TrailCandidates.Prices.DEFAULT));
 		final Track track = narrow.resolve(query(knot(0), OPEN, OPEN, OPEN), Progress.NONE);
 		assertTrue(track.frames().get(0).reason().contains("limit"));
 		assertEquals("", track.frames().get(1).reason());
