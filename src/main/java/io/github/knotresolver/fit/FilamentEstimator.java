@@ -71,11 +71,13 @@ public final class FilamentEstimator {
 		final Fitting fitting = new Fitting(sightings, endsFree, workers, progress);
 		final List<Learned> learned = kinds.stream().map(kind -> {
 			final Learned first = learn(seen, kind, fitting);
-			return evenOrNot(fitting.isOpen() ? first : ended(first, fitting), fitting.released());
+			return fitting.isOpen() ? first : ended(first, fitting);
 		}).toList();
+		// A profile along it changes nothing of what lines are compared by.
 		return learned.stream().filter(Learned::isLine)
 			.filter(l -> kinds.size() == 1 || l.isPlausible())
-			.min(Comparator.comparingDouble(Learned::misfit)).map(Learned::summary);
+			.min(Comparator.comparingDouble(Learned::misfit))
+			.map(l -> evenOrNot(l, fitting.released()).summary());
 	}
 
 	/**
@@ -223,8 +225,7 @@ public final class FilamentEstimator {
 	private static Learned evenOrNot(final Learned first, final Fitting fitting) {
 		List<Example> examples = first.examples;
 		LineEstimate line = first.line;
-		// Along what is no line, no profile is learned: nothing comes of it.
-		for (int round = 0; round < FitTuning.MOST_PROFILE_ROUNDS && isLine(line); round++) {
+		for (int round = 0; round < FitTuning.MOST_PROFILE_ROUNDS; round++) {
 			final List<Example> grown = fitting.towardsLight(examples, line);
 			final double[] brightness = BrightnessProfile.estimate(grown, line);
 			if (brightness.length == 1)
@@ -239,7 +240,6 @@ public final class FilamentEstimator {
 		return new Learned(examples, line);
 	}
 
-	/** A profile along it changes nothing of this. */
 	private static boolean isLine(final LineEstimate line) {
 		return line.isLine() && line.residual() < 1;
 	}

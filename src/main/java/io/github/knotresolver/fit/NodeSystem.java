@@ -28,7 +28,9 @@ final class NodeSystem {
 	}
 
 	void clear() {
-		Arrays.fill(matrix, 0);
+		for (int row = 0; row < size; row++)
+			Arrays.fill(matrix, row * stride,
+				row * stride + Math.min(stride, size - (row & ~1)), 0);
 		Arrays.fill(vector, 0);
 	}
 

@@ -14,8 +14,9 @@ final class ReducedSystem implements StepSystem {
 	private final boolean freeLength;
 	private final double[][] blocks;
 	private final double[] pull;
+	private final double[][] damped;
 
-	/** Symmetric matrix of the unknowns. */
+	/** Symmetric matrix of the unknowns: its upper triangle. */
 	final double[][] matrix;
 	/** Right-hand side. */
 	final double[] vector;
@@ -27,6 +28,7 @@ final class ReducedSystem implements StepSystem {
 		pull = new double[2 * (links + 1)];
 		final int size = links + 2 + (freeLength ? 1 : 0);
 		matrix = new double[size][size];
+		damped = new double[size][size];
 		vector = new double[size];
 	}
 
@@ -38,27 +40,22 @@ final class ReducedSystem implements StepSystem {
 		for (int c = 0; c < 2; c++) {
 			vector[c] = pull[c];
 			for (int d = c; d < 2; d++)
-				// The mirror image is summed in another order, and so differs by rounding.
-				set(c, d, blocks[c][d]);
+				matrix[c][d] = blocks[c][d];
 		}
 		for (int k = 0; k < links; k++) {
 			final double kx = y[k] - y[k + 1], ky = x[k + 1] - x[k];
 			final int row = 2 * (k + 1);
 			vector[k + 2] = kx * pull[row] + ky * pull[row + 1];
 			for (int c = 0; c < 2; c++)
-				set(c, k + 2, kx * blocks[c][row] + ky * blocks[c][row + 1]);
+				matrix[c][k + 2] = kx * blocks[c][row] + ky * blocks[c][row + 1];
+			final double[] rowX = blocks[row], rowY = blocks[row + 1], entries = matrix[k + 2];
 			for (int l = k; l < links; l++) {
 				final double lx = y[l] - y[l + 1], ly = x[l + 1] - x[l];
 				final int column = 2 * (l + 1);
-				set(k + 2, l + 2, kx * (blocks[row][column] * lx + blocks[row][column + 1] * ly)
-					+ ky * (blocks[row + 1][column] * lx + blocks[row + 1][column + 1] * ly));
+				entries[l + 2] = kx * (rowX[column] * lx + rowX[column + 1] * ly)
+					+ ky * (rowY[column] * lx + rowY[column + 1] * ly);
 			}
 		}
-	}
-
-	private void set(final int row, final int column, final double value) {
-		matrix[row][column] = value;
-		matrix[column][row] = value;
 	}
 
 	/** blocks[i][j] = sum over all nodes a >= i, b >= j; for i <= j. */
@@ -106,12 +103,12 @@ final class ReducedSystem implements StepSystem {
 		double behindX = 0, behindY = 0;
 		for (int k = links; k >= 0; k--) {
 			if (k < links)
-				set(k + 2, last, (y[k] - y[k + 1]) * behindX + (x[k + 1] - x[k]) * behindY);
+				matrix[k + 2][last] = (y[k] - y[k + 1]) * behindX + (x[k + 1] - x[k]) * behindY;
 			behindX += gd[2 * k];
 			behindY += gd[2 * k + 1];
 		}
-		set(0, last, behindX);
-		set(1, last, behindY);
+		matrix[0][last] = behindX;
+		matrix[1][last] = behindY;
 	}
 
 	/**
@@ -150,15 +147,13 @@ final class ReducedSystem implements StepSystem {
 	public void addBend(final int link, final double weight, final double pull) {
 		addAngle(link, weight, pull);
 		addAngle(link - 1, weight, -pull);
-		matrix[link + 2][link + 1] -= weight;
 		matrix[link + 1][link + 2] -= weight;
 	}
 
 	@Override
 	public double[] solve(final double damping) {
-		final double[][] damped = new double[vector.length][];
 		for (int i = 0; i < damped.length; i++) {
-			damped[i] = matrix[i].clone();
+			System.arraycopy(matrix[i], i, damped[i], i, damped.length - i);
 			damped[i][i] += damping * (damped[i][i] + LEAST_DAMPED);
 		}
 		return Cholesky.solve(damped, vector);

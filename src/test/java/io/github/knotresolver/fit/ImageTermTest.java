@@ -65,7 +65,7 @@ class ImageTermTest {
 			for (int i = 0; i < nodes.size; i++)
 				right += jacobian[i][a] * nodes.vector[i];
 			assertEquals(right, reduced.vector[a], 1e-9, "right-hand side " + a);
-			for (int b = 0; b < LINKS + 3; b++) {
+			for (int b = a; b < LINKS + 3; b++) {
 				double sum = 0;
 				for (int i = 0; i < nodes.size; i++)
 					for (int j = 0; j < nodes.size; j++)
