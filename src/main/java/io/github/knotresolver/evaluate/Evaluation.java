@@ -80,4 +80,15 @@ public record Evaluation(List<FrameScore> frames, int extraFrames, double[] posi
 	public EvaluationSummary summary() {
 		return new EvaluationSummary(this);
 	}
+
+	/**
+	 * One frame of the truth and what the result made of it.
+	 *
+	 * @param frame 1-based
+	 * @param present whether the result has a contour there
+	 * @param crossings proper self-intersections of the true contour
+	 * @param score how near it is; {@link CurveScore#MISSING} without a contour
+	 */
+	public record FrameScore(int frame, boolean present, int crossings, CurveScore score) {
+	}
 }

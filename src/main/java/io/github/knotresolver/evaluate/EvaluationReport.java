@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
+import io.github.knotresolver.evaluate.SceneEvaluation.FilamentScore;
+
 /** An evaluation in a few lines, for people. */
 public final class EvaluationReport {
 

@@ -6,6 +6,8 @@ import java.util.OptionalInt;
 import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 
+import io.github.knotresolver.evaluate.Evaluation.FrameScore;
+
 /**
  * The figures of a whole movie. Percentages, means and medians of no frame at
  * all are NaN.

@@ -3,8 +3,10 @@ package io.github.knotresolver.evaluate;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
 import java.util.SortedMap;
 
+import io.github.knotresolver.evaluate.Evaluation.FrameScore;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
@@ -103,5 +105,22 @@ public record SceneEvaluation(List<FilamentScore> filaments, int resultFilaments
 
 	private static double percent(final long part, final long whole) {
 		return whole == 0 ? Double.NaN : 100.0 * part / whole;
+	}
+
+	/**
+	 * A true filament and the one of the result that it was given.
+	 *
+	 * @param filament number of the true filament
+	 * @param result number of the result's filament; empty if it was given none
+	 * @param reversed whether the result runs from its last end to its first
+	 * @param evaluation frame by frame, the result turned round if it is reversed
+	 */
+	public record FilamentScore(int filament, OptionalInt result, boolean reversed,
+		Evaluation evaluation) {
+
+		/** @return whether there is a filament of the result for it */
+		public boolean isGiven() {
+			return result.isPresent();
+		}
 	}
 }

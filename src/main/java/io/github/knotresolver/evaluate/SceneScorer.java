@@ -10,6 +10,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 
 import io.github.knotresolver.evaluate.SceneCurve.Agreement;
+import io.github.knotresolver.evaluate.SceneEvaluation.FilamentScore;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;

@@ -13,8 +13,8 @@ import org.apache.commons.csv.CSVPrinter;
 
 import io.github.knotresolver.evaluate.CurveScore;
 import io.github.knotresolver.evaluate.Evaluation;
-import io.github.knotresolver.evaluate.FilamentScore;
-import io.github.knotresolver.evaluate.FrameScore;
+import io.github.knotresolver.evaluate.Evaluation.FrameScore;
+import io.github.knotresolver.evaluate.SceneEvaluation.FilamentScore;
 
 /**
  * The scores of a result, one row for every frame of the truth. Distances are in

@@ -8,11 +8,11 @@ import java.util.Map;
 
 import org.apache.commons.csv.CSVPrinter;
 
+import io.github.knotresolver.evaluate.Evaluation.FrameScore;
 import io.github.knotresolver.evaluate.EvaluationSummary;
-import io.github.knotresolver.evaluate.FrameScore;
-import io.github.knotresolver.evaluate.like.LikeMovie;
 import io.github.knotresolver.evaluate.like.LikeReport;
 import io.github.knotresolver.evaluate.like.LikeResult;
+import io.github.knotresolver.evaluate.like.LikeResult.LikeMovie;
 
 /**
  * The tables of a study of movies like a user's: {@code movies.csv} with a row a

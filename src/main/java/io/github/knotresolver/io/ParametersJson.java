@@ -18,8 +18,8 @@ import com.google.gson.FieldNamingPolicy;
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 
-import io.github.knotresolver.evaluate.like.LikeMovie;
 import io.github.knotresolver.evaluate.like.LikeResult;
+import io.github.knotresolver.evaluate.like.LikeResult.LikeMovie;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.FilamentTrack;

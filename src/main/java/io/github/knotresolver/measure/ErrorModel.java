@@ -72,7 +72,7 @@ record ErrorModel(NoiseGain fit, NoiseGain residual, boolean held) {
 		return new Median().evaluate(contours.stream().mapToDouble(value).toArray());
 	}
 
-	CurveNoise noise(final SmoothedContour contour) {
+	ContourGeometry.CurveNoise noise(final SmoothedContour contour) {
 		return contour.curve().noise(contour.wide().sigma(residual), held, fit);
 	}
 }

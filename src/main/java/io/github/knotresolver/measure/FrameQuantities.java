@@ -17,7 +17,7 @@ final class FrameQuantities {
 	private final double[] s;
 	private final double[] angle;
 	private final double[] curvature;
-	private final CurveNoise noise;
+	private final ContourGeometry.CurveNoise noise;
 	private final double[][] shift;
 	private final double lengthError;
 	private final int last;

@@ -127,7 +127,7 @@ public final class MovieMeasurements {
 			return smoothed.get(i)
 				.map(k -> new ContourGeometry(k, smoothing, c.pixelSize(), errors));
 		});
-		final int[] turns = Turns.between(geometries);
+		final int[] turns = FrameMeasurement.turnsBetween(geometries);
 		final List<FrameMeasurement> frames = workers.map(geometries.size(),
 			i -> geometries.get(i)
 				.map(g -> FrameMeasurement.of(i + 1, g, turns[i], rigidity, lengthError))

@@ -133,7 +133,8 @@ final class SmoothedCurve {
 		return speed[i] * (1 - Math.min(0.1, detours[i] / 2));
 	}
 
-	Estimate bending(final CurveNoise noise, final NoiseGain gain, final double window) {
+	Estimate bending(final ContourGeometry.CurveNoise noise, final NoiseGain gain,
+		final double window) {
 		final double[] crossed = new double[x.length];
 		for (int i = 0; i < crossed.length; i++)
 			crossed[i] = noise.sigma() * noise.sigma() * variance[2][i] * gain.ofProduct(part[i]);
@@ -152,7 +153,7 @@ final class SmoothedCurve {
 	}
 
 	/** Adds the residuals of the points away from the ends. */
-	void addResiduals(final Residuals pooled) {
+	void addResiduals(final ErrorCorrelation.Residuals pooled) {
 		int from = 0, to = x.length;
 		while (from < to && part[from] > MeasureTuning.MIDDLE)
 			from++;
@@ -181,8 +182,8 @@ final class SmoothedCurve {
 	}
 
 	/** What errors of a size do to this curve. */
-	CurveNoise noise(final double sigma, final boolean held, final NoiseGain gain) {
-		return new CurveNoise(sigma, gain.along(), held, errors(0, sigma, gain),
+	ContourGeometry.CurveNoise noise(final double sigma, final boolean held, final NoiseGain gain) {
+		return new ContourGeometry.CurveNoise(sigma, gain.along(), held, errors(0, sigma, gain),
 			bias.added(SmoothingBias.ANGLE, errors(1, sigma, gain), sigma, part, gain),
 			bias.added(SmoothingBias.CURVATURE, errors(2, sigma, gain), sigma, part, gain));
 	}

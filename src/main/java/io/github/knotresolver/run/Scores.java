@@ -8,10 +8,10 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 import io.github.knotresolver.evaluate.Evaluation;
+import io.github.knotresolver.evaluate.Evaluation.FrameScore;
 import io.github.knotresolver.evaluate.EvaluationReport;
-import io.github.knotresolver.evaluate.FilamentScore;
-import io.github.knotresolver.evaluate.FrameScore;
 import io.github.knotresolver.evaluate.SceneEvaluation;
+import io.github.knotresolver.evaluate.SceneEvaluation.FilamentScore;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.io.FramesCsv;
 import io.github.knotresolver.io.TruthCsv;

@@ -6,6 +6,7 @@ import java.util.List;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
+import io.github.knotresolver.simulate.FilamentSimulator.Trajectory;
 
 /**
  * The view of a trajectory: all frames share it. Pixel = µm / pixelSize +

@@ -11,6 +11,7 @@ import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.simulate.FilamentSimulator.Trajectory;
 
 /**
  * A movie whose truth is known.

@@ -30,11 +30,11 @@ import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.simulate.Canvas;
 import io.github.knotresolver.simulate.FilamentProperties;
 import io.github.knotresolver.simulate.FilamentSimulator;
+import io.github.knotresolver.simulate.FilamentSimulator.Trajectory;
 import io.github.knotresolver.simulate.MediumProperties;
 import io.github.knotresolver.simulate.MotorProperties;
 import io.github.knotresolver.simulate.Schedule;
 import io.github.knotresolver.simulate.SimulationParameters;
-import io.github.knotresolver.simulate.Trajectory;
 
 /** An independent scorer, where it is at hand, says the same. */
 class BenchAgreementTest {

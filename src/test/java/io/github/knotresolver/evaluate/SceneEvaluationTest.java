@@ -10,6 +10,7 @@ import java.util.TreeMap;
 
 import org.junit.jupiter.api.Test;
 
+import io.github.knotresolver.evaluate.SceneEvaluation.FilamentScore;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;

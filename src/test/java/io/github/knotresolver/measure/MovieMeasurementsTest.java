@@ -120,7 +120,7 @@ class MovieMeasurementsTest {
 			traced.add(rough);
 			fitted.add(smoothAndHeld(rough, truth.length()));
 		}
-		final CurveNoise fit = noise(fitted), trace = noise(traced);
+		final ContourGeometry.CurveNoise fit = noise(fitted), trace = noise(traced);
 		assertTrue(fit.held());
 		assertFalse(trace.held());
 		assertEquals(3, trace.sigma() / 0.01, 0.4, "noise of 0.3 px");
@@ -128,7 +128,7 @@ class MovieMeasurementsTest {
 		assertEquals(1, trace.inflation(), 0.3);
 	}
 
-	private static CurveNoise noise(final List<Polyline> contours) {
+	private static ContourGeometry.CurveNoise noise(final List<Polyline> contours) {
 		return measure(contours, Rigidity.UNKNOWN).frames().get(4).geometry().orElseThrow().noise();
 	}
 

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.simulate.FilamentProperties.Clamp;
 
 /** A simulation that cannot succeed ends with a sentence. */
 class BoundedSimulationTest {

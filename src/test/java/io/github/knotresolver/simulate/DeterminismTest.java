@@ -14,6 +14,7 @@ import io.github.knotresolver.CancelledProgress;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.simulate.FilamentSimulator.Trajectory;
 
 class DeterminismTest {
 

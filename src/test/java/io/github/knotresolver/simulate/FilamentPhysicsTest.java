@@ -13,6 +13,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.simulate.FilamentProperties.Clamp;
+import io.github.knotresolver.simulate.FilamentSimulator.Trajectory;
 
 /** The simulated filament obeys the physics that it claims. */
 class FilamentPhysicsTest {

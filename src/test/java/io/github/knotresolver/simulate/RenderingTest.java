@@ -17,6 +17,7 @@ import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Calibration;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.simulate.FilamentSimulator.Trajectory;
 
 class RenderingTest {
 

@@ -11,6 +11,7 @@ import org.apache.commons.math3.stat.StatUtils;
 
 import io.github.knotresolver.evaluate.CurveScore;
 import io.github.knotresolver.evaluate.ErrorHistogram;
+import io.github.knotresolver.evaluate.like.LikeResult.LikeMovie;
 
 /** A study of movies like a user's in a few lines, for people. */
 public final class LikeReport {

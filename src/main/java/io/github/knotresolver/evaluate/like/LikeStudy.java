@@ -11,20 +11,23 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 import io.github.knotresolver.evaluate.Evaluation;
+import io.github.knotresolver.evaluate.like.LikeResult.LikeMotion;
+import io.github.knotresolver.evaluate.like.LikeResult.LikeMovie;
+import io.github.knotresolver.evaluate.like.LikeResult.LikeTraits;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Calibration;
-import io.github.knotresolver.model.FilamentChoice;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Settings.FilamentChoice;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.session.Engine;
 import io.github.knotresolver.simulate.Canvas;
 import io.github.knotresolver.simulate.FilamentSimulator;
+import io.github.knotresolver.simulate.FilamentSimulator.Trajectory;
 import io.github.knotresolver.simulate.SimulatedMovie;
-import io.github.knotresolver.simulate.Trajectory;
 
 /**
  * Simulates movies that resemble a user's, resolves them with the user's

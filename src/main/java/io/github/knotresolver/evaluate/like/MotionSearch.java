@@ -7,11 +7,12 @@ import java.util.Optional;
 
 import org.apache.commons.math3.stat.descriptive.rank.Median;
 
+import io.github.knotresolver.evaluate.like.LikeResult.LikeMotion;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
-import io.github.knotresolver.simulate.Clamp;
+import io.github.knotresolver.simulate.FilamentProperties.Clamp;
 import io.github.knotresolver.simulate.FilamentSimulator;
 
 /**

@@ -20,12 +20,12 @@ import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.simulate.BitDepth;
 import io.github.knotresolver.simulate.Canvas;
+import io.github.knotresolver.simulate.FilamentSimulator.Trajectory;
 import io.github.knotresolver.simulate.FrameRenderer;
 import io.github.knotresolver.simulate.OpticalRenderer;
 import io.github.knotresolver.simulate.Optics;
 import io.github.knotresolver.simulate.PaperRenderer;
 import io.github.knotresolver.simulate.SimulatedMovie;
-import io.github.knotresolver.simulate.Trajectory;
 
 class AppearanceMeterTest {
 

@@ -23,6 +23,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 import io.github.knotresolver.CancelledProgress;
+import io.github.knotresolver.evaluate.like.LikeResult.LikeMotion;
+import io.github.knotresolver.evaluate.like.LikeResult.LikeMovie;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Anchor;
 import io.github.knotresolver.model.Calibration;
@@ -37,13 +39,13 @@ import io.github.knotresolver.progress.CancelledException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.simulate.BitDepth;
 import io.github.knotresolver.simulate.Canvas;
-import io.github.knotresolver.simulate.Clamp;
+import io.github.knotresolver.simulate.FilamentProperties.Clamp;
 import io.github.knotresolver.simulate.FilamentSimulator;
+import io.github.knotresolver.simulate.FilamentSimulator.Trajectory;
 import io.github.knotresolver.simulate.OpticalRenderer;
 import io.github.knotresolver.simulate.Optics;
 import io.github.knotresolver.simulate.SimulatedMovie;
 import io.github.knotresolver.simulate.SimulationParameters;
-import io.github.knotresolver.simulate.Trajectory;
 
 /** A simulated movie stands for the user's; the study must find back how it was made. */
 class LikeStudyTest {
