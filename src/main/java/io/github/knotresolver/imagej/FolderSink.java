@@ -56,7 +56,7 @@ public final class FolderSink implements ResultSink {
 		progress.report("Writing tables", 0);
 		writeTables(outcome);
 		progress.checkCancelled();
-		RoiSetWriter.write(file(RoiSetWriter.FILE), source.rois().rois(result.tracks()));
+		RoiConverter.writeSet(file(RoiConverter.SET_FILE), source.rois().rois(result.tracks()));
 		progress.report("Drawing", 0);
 		final Pictures pictures = new Pictures(folder.path());
 		together(() -> writeOverlay(result.tracks(), pictures, progress),

@@ -1,15 +1,22 @@
 package io.github.knotresolver.imagej;
 
 import java.awt.Rectangle;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.LocalDateTime;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
 
 import ij.ImagePlus;
 import ij.gui.PointRoi;
 import ij.gui.PolygonRoi;
 import ij.gui.Roi;
+import ij.io.RoiEncoder;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.measure.MeasuredFilament;
@@ -26,6 +33,12 @@ import io.github.knotresolver.model.UserException;
  * from the corner of the first pixel.
  */
 public final class RoiConverter {
+
+	/** The file of a set in a result folder. */
+	public static final String SET_FILE = "RoiSet.zip";
+
+	/** The first moment that a zip file knows. */
+	private static final LocalDateTime NO_TIME = LocalDateTime.of(1980, 1, 1, 0, 0);
 
 	/** Every name starts so. */
 	static final String PREFIX = "knot-";
@@ -178,6 +191,26 @@ public final class RoiConverter {
 			? Optional.empty()
 			: Optional
 				.of(new Region(part.x, part.y, Math.max(0, part.width), Math.max(0, part.height)));
+	}
+
+	/**
+	 * Writes a zip file as ImageJ's ROI Manager reads and writes it. The same ROIs
+	 * give the same bytes.
+	 *
+	 * @param file the file to write
+	 * @param rois ROIs with different names
+	 * @throws IOException if a file cannot be written
+	 */
+	public static void writeSet(final Path file, final List<Roi> rois) throws IOException {
+		try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(file))) {
+			for (final Roi roi : rois) {
+				final ZipEntry entry = new ZipEntry(roi.getName() + ".roi");
+				entry.setTimeLocal(NO_TIME);
+				zip.putNextEntry(entry);
+				zip.write(RoiEncoder.saveAsByteArray(roi));
+				zip.closeEntry();
+			}
+		}
 	}
 
 	/**

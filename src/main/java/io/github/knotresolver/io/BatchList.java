@@ -145,7 +145,7 @@ public final class BatchList implements AutoCloseable {
 		for (final String name : FileTrees.names(parts)) {
 			if (!name.endsWith(CSV) || !isOurs(parts.resolve(name)))
 				continue;
-			for (final CsvRow line : CsvFile.read(parts.resolve(name)))
+			for (final CsvFile.Row line : CsvFile.read(parts.resolve(name)))
 				rows.stream()
 					.filter(r -> line.get(0).equals(Integer.toString(r.line()))
 						&& line.get(1).equals(CellText.clean(r.shown())))
@@ -154,7 +154,7 @@ public final class BatchList implements AutoCloseable {
 		return told;
 	}
 
-	private static BatchOutcome outcome(final BatchRow row, final CsvRow line) {
+	private static BatchOutcome outcome(final BatchRow row, final CsvFile.Row line) {
 		return new BatchOutcome(row, Status.valueOf(line.get(2).toUpperCase(Locale.ROOT)),
 			Optional.of(line.get(3)).filter(name -> !name.isEmpty()), line.get(4));
 	}

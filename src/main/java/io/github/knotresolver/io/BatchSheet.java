@@ -41,7 +41,7 @@ public record BatchSheet(List<BatchRow> rows, List<String> unknownColumns) {
 	 * @throws UserException if it is not a sheet, in one sentence
 	 */
 	public static BatchSheet read(final Path file) {
-		final List<CsvRow> records = CsvFile.read(file);
+		final List<CsvFile.Row> records = CsvFile.read(file);
 		final List<String> header = records.isEmpty() ? List.of() : records.get(0).cells();
 		final List<String> keys = header.stream().map(h -> h.toLowerCase(Locale.ROOT)).toList();
 		if (!keys.contains(FILE_NAME) || !keys.contains(FOLDER))
@@ -50,7 +50,7 @@ public record BatchSheet(List<BatchRow> rows, List<String> unknownColumns) {
 					+ String.join(",", header) + "'.");
 		final Path home = file.toAbsolutePath().getParent();
 		final List<BatchRow> rows = new ArrayList<>();
-		for (final CsvRow record : records.subList(1, records.size()))
+		for (final CsvFile.Row record : records.subList(1, records.size()))
 			rows.add(row(home, keys, record));
 		return new BatchSheet(rows,
 			header.stream().filter(h -> !isKnown(h.toLowerCase(Locale.ROOT))).toList());
@@ -61,7 +61,8 @@ public record BatchSheet(List<BatchRow> rows, List<String> unknownColumns) {
 			|| OriginalColumns.NAMES.contains(key);
 	}
 
-	private static BatchRow row(final Path home, final List<String> keys, final CsvRow record) {
+	private static BatchRow row(final Path home, final List<String> keys,
+		final CsvFile.Row record) {
 		final Map<String, String> cells = new HashMap<>();
 		for (int i = 0; i < Math.min(keys.size(), record.size()); i++)
 			cells.put(keys.get(i), COMMAS.contains(keys.get(i)) ? record.get(i) : record.number(i));

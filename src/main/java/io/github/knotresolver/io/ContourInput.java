@@ -85,7 +85,7 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 	public static List<ContourInput> readAll(final Path path) {
 		if (Files.isDirectory(path))
 			return folder(path);
-		final List<CsvRow> records = CsvFile.read(path);
+		final List<CsvFile.Row> records = CsvFile.read(path);
 		if (records.isEmpty())
 			throw new UserException(
 				path + " is empty; give a result folder, a contours.csv or an MTdata.csv.");
@@ -149,9 +149,9 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 
 	/** Rows of frame, x, y; 1-based pixels. */
 	private static SortedMap<Integer, Polyline> original(final Path file,
-		final List<CsvRow> records) {
+		final List<CsvFile.Row> records) {
 		final SortedMap<Integer, List<Point>> points = new TreeMap<>();
-		for (final CsvRow record : records) {
+		for (final CsvFile.Row record : records) {
 			final String place = file.getFileName() + ", line " + record.line();
 			if (record.size() != 3)
 				throw new UserException(
@@ -167,7 +167,7 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 	}
 
 	/** The unit and pixel size that the columns unit, x and x_px tell. */
-	private static Calibration unit(final Path file, final List<CsvRow> records) {
+	private static Calibration unit(final Path file, final List<CsvFile.Row> records) {
 		final List<String> header = records.get(0).cells().stream()
 			.map(h -> h.toLowerCase(Locale.ROOT)).toList();
 		final int unit = header.indexOf("unit"), x = header.indexOf("x"),
@@ -177,7 +177,7 @@ public record ContourInput(String name, List<Optional<Polyline>> contours, Calib
 		final SortedSet<String> units = new TreeSet<>();
 		final SortedSet<Double> sizes = new TreeSet<>();
 		double sum = 0, sumPx = 0;
-		for (final CsvRow record : records.subList(1, records.size())) {
+		for (final CsvFile.Row record : records.subList(1, records.size())) {
 			if (record.size() <= Math.max(Math.max(unit, size), size < 0 ? Math.max(x, px) : 0))
 				continue;
 			units.add(UnitText.length(record.get(unit)));

@@ -105,12 +105,12 @@ public final class ContoursCsv {
 	 * @throws UserException if it is not such a file; the sentence names the line
 	 */
 	public static SortedMap<Integer, SortedMap<Integer, Polyline>> readFilaments(final Path file) {
-		final List<CsvRow> records = CsvFile.read(file);
+		final List<CsvFile.Row> records = CsvFile.read(file);
 		final int[] columns = columns(file, records);
 		final int filament = records.get(0).cells().stream().map(h -> h.toLowerCase(Locale.ROOT))
 			.toList().indexOf(FILAMENT);
 		final SortedMap<Integer, SortedMap<Integer, SortedMap<Integer, Point>>> points = new TreeMap<>();
-		for (final CsvRow record : records.subList(1, records.size())) {
+		for (final CsvFile.Row record : records.subList(1, records.size())) {
 			Cancellation.check();
 			addPoint(file, record, columns,
 				points.computeIfAbsent(filament(file, record, filament), k -> new TreeMap<>()));
@@ -125,7 +125,7 @@ public final class ContoursCsv {
 		return contours;
 	}
 
-	private static int filament(final Path file, final CsvRow record, final int column) {
+	private static int filament(final Path file, final CsvFile.Row record, final int column) {
 		return column < 0 || record.size() <= column || record.get(column).isEmpty()
 			? 1
 			: OptionText.wholeNumber(
@@ -142,7 +142,7 @@ public final class ContoursCsv {
 		return value;
 	}
 
-	private static int[] columns(final Path file, final List<CsvRow> records) {
+	private static int[] columns(final Path file, final List<CsvFile.Row> records) {
 		final List<String> header = records.isEmpty()
 			? List.of()
 			: records.get(0).cells().stream().map(h -> h.toLowerCase(Locale.ROOT)).toList();
@@ -153,7 +153,7 @@ public final class ContoursCsv {
 		return NEEDED.stream().mapToInt(header::indexOf).toArray();
 	}
 
-	private static void addPoint(final Path file, final CsvRow record, final int[] columns,
+	private static void addPoint(final Path file, final CsvFile.Row record, final int[] columns,
 		final SortedMap<Integer, SortedMap<Integer, Point>> frames) {
 		final String place = file.getFileName() + ", line " + record.line();
 		if (record.size() <= Arrays.stream(columns).max().orElse(0))

@@ -58,10 +58,10 @@ public final class CorrectionsCsv {
 	 * @throws UserException if it is not such a file; the sentence names the line
 	 */
 	public static List<Constraint> read(final Path file) {
-		final List<CsvRow> rows = CsvFile.read(file);
+		final List<CsvFile.Row> rows = CsvFile.read(file);
 		final Columns columns = Columns.of(file, rows);
 		final Map<Group, SortedMap<Integer, Point>> groups = new LinkedHashMap<>();
-		for (final CsvRow row : rows.subList(1, rows.size()))
+		for (final CsvFile.Row row : rows.subList(1, rows.size()))
 			columns.addTo(groups, row);
 		final List<Constraint> all = new ArrayList<>();
 		groups.forEach((group, points) -> all.add(new Constraint(group.filament, group.frame,
@@ -110,7 +110,7 @@ public final class CorrectionsCsv {
 	/** Where the columns of a file are. */
 	private record Columns(String file, Map<String, Integer> places) {
 
-		static Columns of(final Path file, final List<CsvRow> rows) {
+		static Columns of(final Path file, final List<CsvFile.Row> rows) {
 			final Map<String, Integer> places = new TreeMap<>();
 			final List<String> header = rows.isEmpty() ? List.of() : rows.get(0).cells();
 			for (int i = 0; i < header.size(); i++)
@@ -122,7 +122,7 @@ public final class CorrectionsCsv {
 			return new Columns(file.getFileName().toString(), places);
 		}
 
-		void addTo(final Map<Group, SortedMap<Integer, Point>> groups, final CsvRow row) {
+		void addTo(final Map<Group, SortedMap<Integer, Point>> groups, final CsvFile.Row row) {
 			final String place = file + ", line " + row.line();
 			if (row.size() <= places.values().stream().mapToInt(i -> i).max().orElse(0))
 				throw new UserException(
@@ -148,16 +148,16 @@ public final class CorrectionsCsv {
 			return last != null && index <= last.lastKey() ? part + 1 : part;
 		}
 
-		private int whole(final CsvRow row, final String column, final int least) {
+		private int whole(final CsvFile.Row row, final String column, final int least) {
 			return OptionText.wholeNumber(place(row, column), row.number(places.get(column)),
 				least);
 		}
 
-		private double coordinate(final CsvRow row, final String column) {
+		private double coordinate(final CsvFile.Row row, final String column) {
 			return ContoursCsv.coordinate(place(row, column), row.number(places.get(column)));
 		}
 
-		private Kind kind(final CsvRow row) {
+		private Kind kind(final CsvFile.Row row) {
 			final String text = row.get(places.get(KIND));
 			return Arrays.stream(Kind.values()).filter(k -> k.label().equalsIgnoreCase(text))
 				.findFirst()
@@ -165,7 +165,7 @@ public final class CorrectionsCsv {
 					.map(Kind::label).collect(Collectors.joining(" or ")), text));
 		}
 
-		private String place(final CsvRow row, final String column) {
+		private String place(final CsvFile.Row row, final String column) {
 			return file + ", line " + row.line() + ": " + column;
 		}
 	}

@@ -67,7 +67,7 @@ final class CsvFile {
 	 * @return all rows, the header among them, without empty lines
 	 * @throws UserException if the file is not readable text
 	 */
-	static List<CsvRow> read(final Path file) {
+	static List<Row> read(final Path file) {
 		if (!Files.isRegularFile(file))
 			throw new UserException("There is no file " + file + "; check the path.");
 		try {
@@ -81,17 +81,17 @@ final class CsvFile {
 		}
 	}
 
-	private static List<CsvRow> rows(final Path file, final String text) throws IOException {
+	private static List<Row> rows(final Path file, final String text) throws IOException {
 		final String first = text.lines().findFirst().orElse("");
 		final Optional<Character> told = separator(first);
 		final char delimiter = told.orElseGet(() -> delimiter(text));
-		final List<CsvRow> rows = new ArrayList<>();
+		final List<Row> rows = new ArrayList<>();
 		try (CSVParser parser = READ.builder().setDelimiter(delimiter).get()
 			.parse(new StringReader(text))) {
 			for (final CSVRecord record : parser) {
 				Cancellation.check();
 				if (told.isEmpty() || record.getRecordNumber() > 1)
-					rows.add(CsvRow.of((int) parser.getCurrentLineNumber(), record));
+					rows.add(Row.of((int) parser.getCurrentLineNumber(), record));
 			}
 			return rows;
 		} catch (final IOException | UncheckedIOException e) {
@@ -123,5 +123,40 @@ final class CsvFile {
 			if (line.indexOf(DELIMITERS[i]) >= 0)
 				return DELIMITERS[i];
 		return DELIMITERS[0];
+	}
+
+	/**
+	 * A row of a CSV file.
+	 *
+	 * @param line 1-based line of the file where it ends
+	 * @param cells without spaces of any kind around them
+	 */
+	record Row(int line, List<String> cells) {
+
+		Row {
+			cells = List.copyOf(cells);
+		}
+
+		static Row of(final int line, final CSVRecord record) {
+			return new Row(line, record.stream().map(CellText::clean).toList());
+		}
+
+		/** @return the number of cells */
+		int size() {
+			return cells.size();
+		}
+
+		/** @return the text of cell i, from 0 */
+		String get(final int i) {
+			return cells.get(i);
+		}
+
+		/**
+		 * @return the text of cell i, with a dot if it is one number with a decimal comma: a
+		 *         comma that parts cells is not in a cell
+		 */
+		String number(final int i) {
+			return CellText.withDot(get(i));
+		}
 	}
 }

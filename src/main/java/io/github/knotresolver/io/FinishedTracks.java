@@ -57,7 +57,7 @@ public final class FinishedTracks {
 
 	private List<FilamentTrack> tracks(final int size) {
 		final Map<Integer, Observation[]> observed = new TreeMap<>();
-		for (final CsvRow row : frames.rows()) {
+		for (final CsvFile.Row row : frames.rows()) {
 			final int filament = (int) frames.number(row, ContoursCsv.FILAMENT),
 				frame = (int) frames.number(row, "frame");
 			if (frame < 1 || frame > size)
@@ -66,7 +66,7 @@ public final class FinishedTracks {
 				row, filament, frame);
 		}
 		final List<FilamentTrack> tracks = new ArrayList<>();
-		for (final CsvRow row : filaments.rows()) {
+		for (final CsvFile.Row row : filaments.rows()) {
 			final int id = (int) filaments.number(row, ContoursCsv.FILAMENT);
 			tracks.add(new FilamentTrack(id,
 				Anchor.valueOf(filaments.text(row, "anchor").toUpperCase(Locale.ROOT)),
@@ -83,7 +83,7 @@ public final class FinishedTracks {
 		return rows;
 	}
 
-	private Observation observation(final CsvRow row, final int filament, final int frame) {
+	private Observation observation(final CsvFile.Row row, final int filament, final int frame) {
 		final double visible = frames.number(row, "visible");
 		return new Observation(frame,
 			FrameStatus.valueOf(frames.text(row, "status").toUpperCase(Locale.ROOT)),

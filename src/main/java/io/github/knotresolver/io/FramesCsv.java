@@ -61,7 +61,7 @@ public final class FramesCsv {
 	static int lastFrame(final Path file) {
 		if (!Files.isRegularFile(file))
 			return 0;
-		final List<CsvRow> rows = CsvFile.read(file);
+		final List<CsvFile.Row> rows = CsvFile.read(file);
 		final int column = rows.isEmpty() ? -1 : column(rows.get(0), "frame");
 		// Anything but a number is not a row of ours; the contours then say how many there are.
 		return column < 0
@@ -81,7 +81,7 @@ public final class FramesCsv {
 		final Map<Integer, Map<Integer, Double>> all = new TreeMap<>();
 		if (!Files.isRegularFile(file))
 			return all;
-		final List<CsvRow> rows = CsvFile.read(file);
+		final List<CsvFile.Row> rows = CsvFile.read(file);
 		if (rows.isEmpty())
 			return all;
 		final int frame = column(rows.get(0), "frame"),
@@ -89,7 +89,7 @@ public final class FramesCsv {
 			filament = column(rows.get(0), ContoursCsv.FILAMENT);
 		if (frame < 0 || confidence < 0)
 			return all;
-		for (final CsvRow row : rows.subList(1, rows.size())) {
+		for (final CsvFile.Row row : rows.subList(1, rows.size())) {
 			if (row.size() <= Math.max(frame, confidence) || row.get(confidence).isEmpty())
 				continue;
 			final String place = file.getFileName() + ", line " + row.line() + ": ";
@@ -103,7 +103,7 @@ public final class FramesCsv {
 		return all;
 	}
 
-	private static int column(final CsvRow header, final String name) {
+	private static int column(final CsvFile.Row header, final String name) {
 		return header.cells().stream().map(h -> h.toLowerCase(Locale.ROOT)).toList().indexOf(name);
 	}
 

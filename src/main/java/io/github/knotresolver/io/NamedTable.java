@@ -10,11 +10,11 @@ import java.util.Locale;
  * @param header the names, in lower case
  * @param rows all other rows
  */
-record NamedTable(List<String> header, List<CsvRow> rows) {
+record NamedTable(List<String> header, List<CsvFile.Row> rows) {
 
 	/** @throws IllegalArgumentException if the file is empty */
 	static NamedTable read(final Path file) {
-		final List<CsvRow> all = CsvFile.read(file);
+		final List<CsvFile.Row> all = CsvFile.read(file);
 		if (all.isEmpty())
 			throw new IllegalArgumentException(file + " is empty.");
 		return new NamedTable(
@@ -23,7 +23,7 @@ record NamedTable(List<String> header, List<CsvRow> rows) {
 	}
 
 	/** @throws IllegalArgumentException if there is no such column */
-	String text(final CsvRow row, final String name) {
+	String text(final CsvFile.Row row, final String name) {
 		final int column = header.indexOf(name);
 		if (column < 0 || column >= row.size())
 			throw new IllegalArgumentException("There is no column " + name + ".");
@@ -31,7 +31,7 @@ record NamedTable(List<String> header, List<CsvRow> rows) {
 	}
 
 	/** NaN where there is none; likewise. */
-	double number(final CsvRow row, final String name) {
+	double number(final CsvFile.Row row, final String name) {
 		final String text = text(row, name);
 		return text.isEmpty() ? Double.NaN : Double.parseDouble(text);
 	}

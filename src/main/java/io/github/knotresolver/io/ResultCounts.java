@@ -33,7 +33,7 @@ public record ResultCounts(int resolved, int doubtful, int lost, int filaments, 
 
 	private static ResultCounts of(final NamedTable frames, final NamedTable filaments) {
 		int resolved = 0, doubtful = 0, lost = 0;
-		for (final CsvRow row : frames.rows()) {
+		for (final CsvFile.Row row : frames.rows()) {
 			final boolean checked = frames.text(row, "checked").equals("1");
 			switch (frames.text(row, "status")) {
 				case "resolved", "corrected" -> {
@@ -52,7 +52,7 @@ public record ResultCounts(int resolved, int doubtful, int lost, int filaments, 
 			filaments.rows().isEmpty() ? "" : length(filaments, filaments.rows().get(0)));
 	}
 
-	private static String length(final NamedTable filaments, final CsvRow row) {
+	private static String length(final NamedTable filaments, final CsvFile.Row row) {
 		final double length = filaments.number(row, "length");
 		return Double.isNaN(length)
 			? ""

@@ -94,10 +94,10 @@ public record ResultDigest(List<Filament> filaments) {
 	}
 
 	private static TreeMap<Integer, List<Frame>> frames(final Path file) {
-		final List<CsvRow> rows = CsvFile.read(file);
+		final List<CsvFile.Row> rows = CsvFile.read(file);
 		final int[] columns = columns(rows, "status", "confidence", ContoursCsv.FILAMENT);
 		final TreeMap<Integer, List<Frame>> frames = new TreeMap<>();
-		for (final CsvRow row : rows.subList(1, rows.size())) {
+		for (final CsvFile.Row row : rows.subList(1, rows.size())) {
 			final String confidence = row.number(columns[CONFIDENCE]);
 			frames
 				.computeIfAbsent(Integer.valueOf(row.number(columns[FILAMENT])),
@@ -110,10 +110,10 @@ public record ResultDigest(List<Filament> filaments) {
 	}
 
 	private static TreeMap<Integer, String> lengths(final Path file) {
-		final List<CsvRow> rows = CsvFile.read(file);
+		final List<CsvFile.Row> rows = CsvFile.read(file);
 		final int[] columns = columns(rows, "length", "length_se", ContoursCsv.FILAMENT, "unit");
 		final TreeMap<Integer, String> lengths = new TreeMap<>();
-		for (final CsvRow row : rows.subList(1, rows.size())) {
+		for (final CsvFile.Row row : rows.subList(1, rows.size())) {
 			final String length = row.number(columns[0]), error = row.number(columns[1]);
 			lengths.put(Integer.valueOf(row.number(columns[2])),
 				length.isEmpty()
@@ -128,7 +128,7 @@ public record ResultDigest(List<Filament> filaments) {
 		return String.format(Locale.ROOT, "%.2f", Double.parseDouble(number));
 	}
 
-	private static int[] columns(final List<CsvRow> rows, final String... names) {
+	private static int[] columns(final List<CsvFile.Row> rows, final String... names) {
 		final int[] columns = new int[names.length];
 		for (int i = 0; i < names.length; i++) {
 			columns[i] = rows.isEmpty() ? -1 : rows.get(0).cells().indexOf(names[i]);

@@ -110,7 +110,7 @@ public final class SheetRow {
 		if (first.matches(".*[;\\t].*"))
 			throw new UserException(sheet
 				+ " is not separated by commas, and is only read; save it as comma-separated CSV to have a row written.");
-		for (final CsvRow row : CsvFile.read(sheet))
+		for (final CsvFile.Row row : CsvFile.read(sheet))
 			table.add(new ArrayList<>(row.cells()));
 		final int width = table.get(0).size();
 		for (final List<String> row : table)

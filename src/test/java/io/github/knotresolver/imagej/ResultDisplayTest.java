@@ -46,9 +46,9 @@ class ResultDisplayTest {
 		assertEquals(List.of("knot-0001", "knot-0003", "knot-0004"),
 			rois.stream().map(Roi::getName).toList());
 		final Path file = home.resolve("RoiSet.zip");
-		RoiSetWriter.write(file, rois);
+		RoiConverter.writeSet(file, rois);
 		final byte[] first = Files.readAllBytes(file);
-		RoiSetWriter.write(file, rois);
+		RoiConverter.writeSet(file, rois);
 		assertTrue(Arrays.equals(first, Files.readAllBytes(file)));
 		final List<Roi> read = read(file);
 		assertEquals(3, read.size());

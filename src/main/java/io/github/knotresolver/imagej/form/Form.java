@@ -36,7 +36,7 @@ public final class Form {
 		for (final Field field : command.getClass().getDeclaredFields())
 			if (field.isAnnotationPresent(Parameter.class)) {
 				final FormField one = new FormField(command, field);
-				if (one.kind() != FieldKind.NONE)
+				if (one.kind() != FormField.Kind.NONE)
 					fields.add(one);
 			}
 		return new Form(fields);
@@ -79,7 +79,7 @@ public final class Form {
 			if (!named.add(field))
 				throw new UserException("The keys '" + field.key() + "' and '" + field.name()
 					+ "' mean the same; name one of them.");
-			if (text.isEmpty() && field.kind() != FieldKind.FLAG)
+			if (text.isEmpty() && field.kind() != FormField.Kind.FLAG)
 				throw new UserException(key + " needs a value, such as " + key + "=[" + field.text()
 					+ "]; it must be " + field.allowed() + ".");
 			field.set(text.orElse("true"));

@@ -7,8 +7,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
+import org.scijava.ItemIO;
 import org.scijava.plugin.Attr;
 import org.scijava.plugin.Parameter;
+import org.scijava.widget.FileWidget;
 
 import ij.ImagePlus;
 import ij.WindowManager;
@@ -32,13 +34,13 @@ public final class FormField {
 	private final Object command;
 	private final Field field;
 	private final Parameter parameter;
-	private final FieldKind kind;
+	private final Kind kind;
 
 	FormField(final Object command, final Field field) {
 		this.command = command;
 		this.field = field;
 		this.parameter = field.getAnnotation(Parameter.class);
-		this.kind = FieldKind.of(field.getType(), parameter);
+		this.kind = Kind.of(field.getType(), parameter);
 		field.setAccessible(true);
 	}
 
@@ -70,11 +72,11 @@ public final class FormField {
 
 	/** @return whether it takes a line of words, more than the few characters that are usual */
 	public boolean isLong() {
-		return kind == FieldKind.TEXT && parameter.columns() > USUAL;
+		return kind == Kind.TEXT && parameter.columns() > USUAL;
 	}
 
 	/** @return what kind of value it takes */
-	public FieldKind kind() {
+	public Kind kind() {
 		return kind;
 	}
 
@@ -212,7 +214,7 @@ public final class FormField {
 		final Object value = get();
 		if (value instanceof Number number && !isInRange(number.doubleValue()))
 			throw refusal(value.toString());
-		if (kind == FieldKind.CHOICE)
+		if (kind == Kind.CHOICE)
 			choice(value == null ? "" : value.toString());
 	}
 
@@ -226,5 +228,54 @@ public final class FormField {
 
 	private UserException refusal(final String text) {
 		return OptionText.refusal(key(), allowed(), text);
+	}
+
+	/** What kind of value a parameter takes. */
+	public enum Kind {
+		/** Any text. */
+		TEXT("text"),
+		/** One of a few words. */
+		CHOICE("choice"),
+		/** A whole number. */
+		WHOLE("whole number"),
+		/** A number. */
+		NUMBER("number"),
+		/** Yes or no. */
+		FLAG("yes or no"),
+		/** A file, or something that is read. */
+		FILE("file"),
+		/** A folder that is written. */
+		FOLDER("folder"),
+		/** An open image. */
+		IMAGE("open image"),
+		/** Nothing that a person fills in. */
+		NONE("");
+
+		private final String label;
+
+		Kind(final String label) {
+			this.label = label;
+		}
+
+		/** @return what people call it */
+		public String label() {
+			return label;
+		}
+
+		static Kind of(final Class<?> type, final Parameter parameter) {
+			if (parameter.type() != ItemIO.INPUT)
+				return NONE;
+			if (type == String.class)
+				return parameter.choices().length > 0 ? CHOICE : TEXT;
+			if (type == int.class || type == long.class)
+				return WHOLE;
+			if (type == double.class)
+				return NUMBER;
+			if (type == boolean.class)
+				return FLAG;
+			if (type == File.class)
+				return parameter.style().equals(FileWidget.DIRECTORY_STYLE) ? FOLDER : FILE;
+			return type == ImagePlus.class ? IMAGE : NONE;
+		}
 	}
 }

@@ -5,12 +5,15 @@ import java.awt.Color;
 import java.awt.geom.Ellipse2D;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 
+import org.apache.commons.math3.stat.StatUtils;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.axis.NumberTickUnit;
@@ -26,7 +29,7 @@ import org.jfree.data.xy.XYSeriesCollection;
 
 import io.github.knotresolver.evaluate.CurveScore;
 import io.github.knotresolver.evaluate.ErrorHistogram;
-import io.github.knotresolver.evaluate.FrameScore;
+import io.github.knotresolver.evaluate.Evaluation.FrameScore;
 import io.github.knotresolver.progress.Progress;
 
 /**
@@ -103,12 +106,12 @@ public final class ScoreFigures {
 
 	private static JFreeChart histogram(final double[] errors) {
 		final ErrorHistogram histogram = ErrorHistogram.of(errors, ErrorHistogram.FINE_BIN);
-		final double most = HistogramRange.of(errors);
+		final double most = Range.of(errors);
 		final double[] density = histogram.density();
 		final XYSeries bars = new XYSeries("measured");
 		for (int i = 0; i < density.length && i * histogram.binWidth() < most; i++)
 			bars.add((i + 0.5) * histogram.binWidth(), density[i]);
-		final NumberAxis x = ChartStyle.axis(HistogramRange.label(errors, most), "px");
+		final NumberAxis x = ChartStyle.axis(Range.label(errors, most), "px");
 		final NumberAxis y = ChartStyle.axis("Probability density", "1/px");
 		y.setAutoRangeIncludesZero(true);
 		final XYPlot plot = new XYPlot(
@@ -122,7 +125,7 @@ public final class ScoreFigures {
 		});
 		plot.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD);
 		x.setRange(0, most);
-		x.setTickUnit(new NumberTickUnit(HistogramRange.tick(most)));
+		x.setTickUnit(new NumberTickUnit(Range.tick(most)));
 		return ChartStyle.chart(plot);
 	}
 
@@ -172,5 +175,47 @@ public final class ScoreFigures {
 			? 0
 			: chart.getXYPlot().getDataRange(axis).getUpperBound();
 		axis.setRange(0, 1.05 * Math.max(CurveScore.RESOLVED_BELOW + 1, most));
+	}
+
+	/** How far a histogram of position errors goes, so that a few wrong frames do not squash it. */
+	static final class Range {
+
+		private static final double LEAST = 1, MEDIANS = 8;
+
+		private Range() {
+		}
+
+		/**
+		 * @param errors at least one, in pixels
+		 * @return the end of the axis in pixels
+		 */
+		static double of(final double[] errors) {
+			final double most = Math.max(LEAST, MEDIANS * StatUtils.percentile(errors, 50));
+			return Math.ceil(most * 2) / 2;
+		}
+
+		/**
+		 * @param most the end of the axis in pixels
+		 * @return the distance of its ticks: some ten of 0.1, 0.2, 0.5, 1, 2, 5, ...
+		 */
+		static double tick(final double most) {
+			double tick = 0.1;
+			for (int i = 0; tick * 12 < most; i++)
+				tick *= i % 3 == 1 ? 2.5 : 2;
+			return tick;
+		}
+
+		/**
+		 * @param errors at least one, in pixels
+		 * @param most the end of the axis
+		 * @return the axis' label; it tells how many errors are beyond its end
+		 */
+		static String label(final double[] errors, final double most) {
+			final double beyond = 100.0 * Arrays.stream(errors).filter(e -> e > most).count()
+				/ errors.length;
+			return beyond == 0
+				? "Position error"
+				: String.format(Locale.ROOT, "Position error (%.2g %% beyond)", beyond);
+		}
 	}
 }

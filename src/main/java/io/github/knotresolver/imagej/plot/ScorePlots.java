@@ -8,7 +8,7 @@ import ij.gui.Plot;
 import ij.measure.ResultsTable;
 import io.github.knotresolver.evaluate.CurveScore;
 import io.github.knotresolver.evaluate.ErrorHistogram;
-import io.github.knotresolver.evaluate.FrameScore;
+import io.github.knotresolver.evaluate.Evaluation.FrameScore;
 
 /**
  * An evaluation as ImageJ's own plots, which users restyle, zoom and list as
@@ -27,12 +27,12 @@ public final class ScorePlots {
 	 */
 	public static Plot positionErrors(final double[] errors) {
 		final ErrorHistogram histogram = ErrorHistogram.of(errors, ErrorHistogram.FINE_BIN);
-		final double most = HistogramRange.of(errors);
+		final double most = ScoreFigures.Range.of(errors);
 		final double[] density = histogram.density();
 		final double[] at = new double[density.length];
 		Arrays.setAll(at, i -> (i + 0.5) * histogram.binWidth());
 		final Plot plot = new Plot("evaluation-position-error",
-			ChartStyle.label(HistogramRange.label(errors, most), "px"),
+			ChartStyle.label(ScoreFigures.Range.label(errors, most), "px"),
 			ChartStyle.label("Probability density", "1/px"));
 		plot.setColor(ChartStyle.LINE, ChartStyle.LINE);
 		plot.add("separated bar", at, density);

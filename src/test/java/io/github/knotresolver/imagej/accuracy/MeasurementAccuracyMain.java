@@ -29,12 +29,12 @@ import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.session.Session;
 import io.github.knotresolver.simulate.FilamentProperties;
 import io.github.knotresolver.simulate.FilamentSimulator;
+import io.github.knotresolver.simulate.FilamentSimulator.Trajectory;
 import io.github.knotresolver.simulate.MediumProperties;
 import io.github.knotresolver.simulate.MotorProperties;
 import io.github.knotresolver.simulate.Schedule;
 import io.github.knotresolver.simulate.SimulatedMovie;
 import io.github.knotresolver.simulate.SimulationParameters;
-import io.github.knotresolver.simulate.Trajectory;
 
 /**
  * The whole way, for {@code scripts/measurement-accuracy}: simulated movies are

@@ -3,12 +3,12 @@ package io.github.knotresolver.imagej.accuracy;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.simulate.BitDepth;
 import io.github.knotresolver.simulate.Canvas;
+import io.github.knotresolver.simulate.FilamentSimulator.Trajectory;
 import io.github.knotresolver.simulate.FrameRenderer;
 import io.github.knotresolver.simulate.OpticalRenderer;
 import io.github.knotresolver.simulate.Optics;
 import io.github.knotresolver.simulate.PaperRenderer;
 import io.github.knotresolver.simulate.SimulatedMovie;
-import io.github.knotresolver.simulate.Trajectory;
 
 /**
  * How trajectories are drawn. The optical ones have about the noise of the

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Random;
 
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.simulate.Trajectory;
+import io.github.knotresolver.simulate.FilamentSimulator.Trajectory;
 
 /**
  * A filament that beats with a known frequency: ψ(s, t) = A sin(2π (f t - s/λ))

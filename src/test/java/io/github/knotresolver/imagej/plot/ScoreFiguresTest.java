@@ -102,7 +102,7 @@ class ScoreFiguresTest {
 	@Test
 	void ticksOfTheHistogramHaveRoom() {
 		for (double most = 1; most < 400; most *= 1.3) {
-			final double ticks = most / HistogramRange.tick(most);
+			final double ticks = most / ScoreFigures.Range.tick(most);
 			assertTrue(ticks >= 4 && ticks <= 12, most + " px: " + ticks);
 		}
 	}
