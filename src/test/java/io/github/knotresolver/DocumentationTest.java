@@ -18,8 +18,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.options.Option;
+import io.github.knotresolver.options.Option.Section;
 import io.github.knotresolver.options.ResolveOptions;
-import io.github.knotresolver.options.Section;
 
 /** What the documents list is complete. */
 class DocumentationTest {

@@ -1,8 +1,8 @@
 package io.github.knotresolver.cli;
 
 import io.github.knotresolver.model.UserException;
-import io.github.knotresolver.simulate.Clamp;
 import io.github.knotresolver.simulate.FilamentProperties;
+import io.github.knotresolver.simulate.FilamentProperties.Clamp;
 import io.github.knotresolver.simulate.MediumProperties;
 import io.github.knotresolver.simulate.MotorProperties;
 import io.github.knotresolver.simulate.Schedule;

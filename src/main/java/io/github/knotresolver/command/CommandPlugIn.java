@@ -12,7 +12,6 @@ import ij.Macro;
 import ij.macro.Interpreter;
 import ij.plugin.PlugIn;
 import ij.plugin.frame.Recorder;
-import io.github.knotresolver.imagej.form.FieldKind;
 import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.imagej.form.FormField;
 import io.github.knotresolver.imagej.form.MacroOptions;
@@ -130,7 +129,8 @@ public final class CommandPlugIn implements PlugIn {
 			final String text = field.text();
 			if (text.isBlank())
 				continue;
-			final boolean path = field.kind() == FieldKind.FILE || field.kind() == FieldKind.FOLDER;
+			final boolean path = field.kind() == FormField.Kind.FILE
+				|| field.kind() == FormField.Kind.FOLDER;
 			// Of a key without a value, and of a path's key, the recorder looks for the bare word,
 			// which may be a part of any value.
 			Recorder.recordOption(field.key(), path ? Recorder.fixPath(text) : text);

@@ -12,7 +12,7 @@ import org.scijava.plugin.Parameter;
 import org.scijava.plugin.Plugin;
 import org.scijava.widget.FileWidget;
 
-import io.github.knotresolver.evaluate.FrameScore;
+import io.github.knotresolver.evaluate.Evaluation.FrameScore;
 import io.github.knotresolver.evaluate.like.LikeReport;
 import io.github.knotresolver.evaluate.like.LikeResult;
 import io.github.knotresolver.evaluate.like.LikeStudy;

@@ -7,8 +7,8 @@ import java.util.List;
 import io.github.knotresolver.imagej.form.FormGroups;
 import io.github.knotresolver.imagej.form.FormGroups.Group;
 import io.github.knotresolver.options.Option;
+import io.github.knotresolver.options.Option.Section;
 import io.github.knotresolver.options.ResolveOptions;
-import io.github.knotresolver.options.Section;
 
 /** How the dialog of {@link ResolveFilamentCommand} is divided: as the options are. */
 final class ResolveGroups {

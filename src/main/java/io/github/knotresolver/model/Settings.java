@@ -309,4 +309,34 @@ public record Settings(Optional<Point> fixedEnd, Optional<Region> region, Cleani
 		/** The cheapest way through the whole movie. */
 		MOVIE
 	}
+
+	/** Whether the filament keeps its length. */
+	public enum LengthModel {
+		/** The same in all frames, unless the movie says that it changes. */
+		AUTO,
+		/** The same in all frames. */
+		CONSTANT,
+		/** What each frame says. */
+		FREE
+	}
+
+	/** Whether filaments have an end that is held. */
+	public enum AnchorChoice {
+		/** The movie tells, for each filament. */
+		AUTO,
+		/** All filaments are held at one end. */
+		CLAMPED,
+		/** No filament is held. */
+		FREE
+	}
+
+	/** How many filaments of a movie are delivered. */
+	public enum FilamentChoice {
+		/** All; the one that is meant where a fixed end, a region or a contour is told. */
+		AUTO,
+		/** The clamped one: that of the told fixed end, or the most likely one. */
+		ONE,
+		/** Every filament of the field, clamped or free. */
+		ALL
+	}
 }

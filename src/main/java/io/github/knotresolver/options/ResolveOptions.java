@@ -11,14 +11,15 @@ import java.util.Set;
 import java.util.SortedSet;
 
 import io.github.knotresolver.geometry.Point;
-import io.github.knotresolver.model.AnchorChoice;
-import io.github.knotresolver.model.FilamentChoice;
-import io.github.knotresolver.model.LengthModel;
 import io.github.knotresolver.model.Polarity;
 import io.github.knotresolver.model.Segmentation;
+import io.github.knotresolver.model.Settings.AnchorChoice;
 import io.github.knotresolver.model.Settings.CandidateMethod;
+import io.github.knotresolver.model.Settings.FilamentChoice;
+import io.github.knotresolver.model.Settings.LengthModel;
 import io.github.knotresolver.model.Settings.ResolverMethod;
 import io.github.knotresolver.options.Option.Kind;
+import io.github.knotresolver.options.Option.Section;
 
 /** Every option of {@code resolve}, once, in the order in which a person thinks of them. */
 public final class ResolveOptions {

@@ -9,7 +9,7 @@ import java.util.Set;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.FilamentDigraph;
 import io.github.knotresolver.graph.FilamentDigraph.Contact;
-import io.github.knotresolver.graph.Label;
+import io.github.knotresolver.graph.FilamentDigraph.Label;
 import io.github.knotresolver.graph.Segment;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.graph.Step;

@@ -10,7 +10,7 @@ import org.jgrapht.GraphPath;
 import org.jgrapht.alg.shortestpath.YenKShortestPath;
 
 import io.github.knotresolver.graph.FilamentDigraph.Contact;
-import io.github.knotresolver.graph.Label;
+import io.github.knotresolver.graph.FilamentDigraph.Label;
 
 /**
  * Simple paths between vertices of the published digraph, those of fewest edges

@@ -13,7 +13,7 @@ import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.FilamentDigraph;
 import io.github.knotresolver.graph.FilamentDigraph.Contact;
-import io.github.knotresolver.graph.Label;
+import io.github.knotresolver.graph.FilamentDigraph.Label;
 
 /** What the last contour says about the vertices of the published digraph. */
 final class TemplateTrace {

@@ -14,9 +14,9 @@ import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.simulate.Canvas;
 import io.github.knotresolver.simulate.FilamentSimulator;
+import io.github.knotresolver.simulate.FilamentSimulator.Trajectory;
 import io.github.knotresolver.simulate.SimulatedMovie;
 import io.github.knotresolver.simulate.SimulationParameters;
-import io.github.knotresolver.simulate.Trajectory;
 
 /**
  * A movie with known truth, from its parameters to its folder.

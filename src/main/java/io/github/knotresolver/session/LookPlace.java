@@ -23,11 +23,11 @@ import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.mask.ConnectedComponents;
 import io.github.knotresolver.mask.MaskObject;
-import io.github.knotresolver.model.FilamentChoice;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Polarity;
 import io.github.knotresolver.model.Region;
 import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Settings.FilamentChoice;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.skeleton.Skeletonize;
 

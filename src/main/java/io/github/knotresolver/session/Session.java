@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.Optional;
 
 import io.github.knotresolver.model.Constraint;
-import io.github.knotresolver.model.FilamentChoice;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Region;
 import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Settings.FilamentChoice;
 import io.github.knotresolver.model.Tracks;
 import io.github.knotresolver.model.UserException;
 import io.github.knotresolver.progress.Cancellation;

@@ -7,8 +7,8 @@ import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.geometry.RobustStatistics;
-import io.github.knotresolver.model.AnchorChoice;
 import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Settings.AnchorChoice;
 
 /**
  * Which end of a filament comes first: the clamped one if there is one; the trailing one of a

@@ -31,7 +31,7 @@ import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.GraphTuning;
-import io.github.knotresolver.model.LengthModel;
+import io.github.knotresolver.model.Settings.LengthModel;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 

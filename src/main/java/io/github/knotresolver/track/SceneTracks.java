@@ -10,9 +10,9 @@ import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.model.AnchorChoice;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Settings.AnchorChoice;
 import io.github.knotresolver.track.SceneSettler.Settled;
 
 /**

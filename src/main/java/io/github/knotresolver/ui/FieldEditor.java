@@ -28,7 +28,6 @@ import javax.swing.event.DocumentListener;
 import ij.ImagePlus;
 import ij.WindowManager;
 import ij.io.OpenDialog;
-import io.github.knotresolver.imagej.form.FieldKind;
 import io.github.knotresolver.imagej.form.FormField;
 
 /** One field of a form on the screen, with its words and its help. */
@@ -54,7 +53,7 @@ final class FieldEditor {
 		this.changed = changed;
 		input = input();
 		whole = isFile() ? withButton() : input;
-		label = new JLabel(field.kind() == FieldKind.FLAG ? "" : field.label());
+		label = new JLabel(field.kind() == FormField.Kind.FLAG ? "" : field.label());
 		label.setLabelFor(input);
 		input.setName(field.name());
 		input.addFocusListener(new FocusAdapter() {
@@ -69,18 +68,18 @@ final class FieldEditor {
 	}
 
 	private boolean isFile() {
-		return field.kind() == FieldKind.FILE || field.kind() == FieldKind.FOLDER;
+		return field.kind() == FormField.Kind.FILE || field.kind() == FormField.Kind.FOLDER;
 	}
 
 	/** @return whether two of these share a row */
 	boolean isNarrow() {
-		return !isFile() && !field.isLong() && field.kind() != FieldKind.IMAGE;
+		return !isFile() && !field.isLong() && field.kind() != FormField.Kind.IMAGE;
 	}
 
 	/** @return what it is, what is allowed, and its key */
 	private String help() {
 		final String what = field.description().isEmpty() ? field.label() : field.description();
-		return what + " (" + (field.kind() == FieldKind.TEXT ? "" : field.allowed() + "; ")
+		return what + " (" + (field.kind() == FormField.Kind.TEXT ? "" : field.allowed() + "; ")
 			+ "in macros: " + field.key() + ")";
 	}
 
@@ -126,7 +125,7 @@ final class FieldEditor {
 		final String present = text();
 		final JFileChooser chooser = new JFileChooser(
 			present.isBlank() ? OpenDialog.getDefaultDirectory() : new File(present).getParent());
-		chooser.setFileSelectionMode(field.kind() == FieldKind.FOLDER
+		chooser.setFileSelectionMode(field.kind() == FormField.Kind.FOLDER
 			? JFileChooser.DIRECTORIES_ONLY
 			: JFileChooser.FILES_AND_DIRECTORIES);
 		if (chooser.showDialog(input, "Choose") == JFileChooser.APPROVE_OPTION)
@@ -158,7 +157,7 @@ final class FieldEditor {
 
 	/** Images come and go. */
 	void refreshImages() {
-		if (field.kind() != FieldKind.IMAGE)
+		if (field.kind() != FormField.Kind.IMAGE)
 			return;
 		final JComboBox<String> choice = images();
 		final List<String> titles = List.of(WindowManager.getImageTitles()),

@@ -28,7 +28,6 @@ import ij.ImageListener;
 import ij.ImagePlus;
 import ij.WindowManager;
 import ij.gui.GUI;
-import io.github.knotresolver.imagej.form.FieldKind;
 import io.github.knotresolver.imagej.form.Form;
 import io.github.knotresolver.imagej.form.FormField;
 import io.github.knotresolver.imagej.form.FormGroups;
@@ -62,7 +61,7 @@ final class FormFields implements ImageListener, AutoCloseable {
 		this.resized = resized;
 		this.groups = groups;
 		for (final FormField field : form.fields())
-			if (field.kind() != FieldKind.IMAGE || WindowManager.getImageCount() > 0) {
+			if (field.kind() != FormField.Kind.IMAGE || WindowManager.getImageCount() > 0) {
 				editors.put(field.name(), new FieldEditor(field, this::changed));
 				defaults.put(field, field.byDefault());
 			}
@@ -157,7 +156,8 @@ final class FormFields implements ImageListener, AutoCloseable {
 		for (final FieldEditor editor : editors.values())
 			try {
 				// Of a single image a macro need not know the title.
-				if (editor.field().kind() != FieldKind.IMAGE || WindowManager.getImageCount() > 1)
+				if (editor.field().kind() != FormField.Kind.IMAGE
+					|| WindowManager.getImageCount() > 1)
 					editor.field().set(editor.text());
 			} catch (final UserException e) {
 				mark(editor.field());
@@ -244,7 +244,7 @@ final class FormFields implements ImageListener, AutoCloseable {
 		}
 
 		private void add(final FieldEditor editor, final int column) {
-			final boolean flag = editor.field().kind() == FieldKind.FLAG;
+			final boolean flag = editor.field().kind() == FormField.Kind.FLAG;
 			final int width = editor.isNarrow() ? 1 : COLUMNS - 1;
 			if (!flag)
 				place(editor.label(), column, 1, GridBagConstraints.NONE);

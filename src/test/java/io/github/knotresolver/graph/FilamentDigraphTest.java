@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.Drawn;
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.graph.FilamentDigraph.Label;
 
 class FilamentDigraphTest {
 

@@ -27,11 +27,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.io.CorrectionsCsv;
 import io.github.knotresolver.model.Calibration;
-import io.github.knotresolver.model.LengthModel;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Region;
 import io.github.knotresolver.model.Settings;
 import io.github.knotresolver.model.Settings.CandidateMethod;
+import io.github.knotresolver.model.Settings.LengthModel;
 import io.github.knotresolver.model.Settings.ResolverMethod;
 import io.github.knotresolver.model.UserException;
 

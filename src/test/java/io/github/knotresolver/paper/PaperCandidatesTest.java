@@ -27,7 +27,7 @@ import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.FilamentDigraph;
 import io.github.knotresolver.graph.FilamentDigraph.Contact;
-import io.github.knotresolver.graph.Label;
+import io.github.knotresolver.graph.FilamentDigraph.Label;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.progress.Progress;
 

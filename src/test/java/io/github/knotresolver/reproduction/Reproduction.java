@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.function.Predicate;
 
 import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.simulate.FilamentSimulator.Trajectory;
 import io.github.knotresolver.simulate.SimulatedMovie;
-import io.github.knotresolver.simulate.Trajectory;
 
 /**
  * The published evaluation, run again.

@@ -8,10 +8,10 @@ import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.simulate.BitDepth;
 import io.github.knotresolver.simulate.Canvas;
 import io.github.knotresolver.simulate.FilamentSimulator;
+import io.github.knotresolver.simulate.FilamentSimulator.Trajectory;
 import io.github.knotresolver.simulate.PaperRenderer;
 import io.github.knotresolver.simulate.SimulatedMovie;
 import io.github.knotresolver.simulate.SimulationParameters;
-import io.github.knotresolver.simulate.Trajectory;
 
 /**
  * One simulated filament of the evaluation: 300 s in 120 frames.

@@ -13,9 +13,9 @@ import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.model.AnchorChoice;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Settings.AnchorChoice;
 
 class FilamentEndsTest {
 

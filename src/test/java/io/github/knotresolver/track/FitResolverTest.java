@@ -31,9 +31,9 @@ import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.model.FrameStatus;
-import io.github.knotresolver.model.LengthModel;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Settings.LengthModel;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 

@@ -22,8 +22,8 @@ import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.image.Pixels;
-import io.github.knotresolver.model.AnchorChoice;
 import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.model.Settings.AnchorChoice;
 import io.github.knotresolver.track.SceneSettler.Settled;
 
 /** A short filament that glides along a long one: over its end, and then all of it under it. */

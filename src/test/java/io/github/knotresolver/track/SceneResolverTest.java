@@ -17,7 +17,7 @@ import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.LineModel.Kind;
 import io.github.knotresolver.fit.LineTables;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.model.AnchorChoice;
+import io.github.knotresolver.model.Settings.AnchorChoice;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.track.SceneTracks.Filament;

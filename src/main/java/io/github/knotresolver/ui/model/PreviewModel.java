@@ -5,9 +5,9 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 
 import io.github.knotresolver.io.Failure;
-import io.github.knotresolver.model.FilamentChoice;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Settings;
+import io.github.knotresolver.model.Settings.FilamentChoice;
 import io.github.knotresolver.options.InputOptions;
 import io.github.knotresolver.options.RunOptions;
 import io.github.knotresolver.progress.CancelledException;
