@@ -107,12 +107,27 @@ public record Observation(int frame, FrameStatus status, String reason, Optional
 	/**
 	 * @param limit the most that can be believed, 0..1
 	 * @param why one sentence, in case nothing else has lowered the confidence so far
-	 * @return the same, no surer than that; a reason is given if it is not believed then
+	 * @return the same, no surer than that; a reason is given if it is not believed then.
+	 *         What the user said stays as it was said
 	 */
 	public Observation atMost(final double limit, final String why) {
-		if (contour.isEmpty() || !(confidence > limit))
-			return this;
-		return withConfidence(limit, limit > SURE || !reason.isEmpty() ? reason : why);
+		return stays(limit)
+			? this
+			: withConfidence(limit, limit > SURE || !reason.isEmpty() ? reason : why);
+	}
+
+	/**
+	 * @param limit the most that can be believed, 0..1
+	 * @param why one sentence, which counts more than what has lowered the confidence so far
+	 * @return the same, no surer than that, with that reason if it was. What the user said
+	 *         stays as it was said
+	 */
+	public Observation doubted(final double limit, final String why) {
+		return stays(limit) ? this : withConfidence(limit, why);
+	}
+
+	private boolean stays(final double limit) {
+		return status != FrameStatus.RESOLVED || !(confidence > limit);
 	}
 
 	/**

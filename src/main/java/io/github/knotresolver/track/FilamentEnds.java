@@ -90,11 +90,7 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid, boolean roam
 	/** The same contours, none of which is believed if the ends may be exchanged. */
 	List<Observation> doubted(final List<Observation> frames) {
 		return alike
-			? frames.stream()
-				.map(o -> o.contour().isEmpty() || o.confidence() <= TrackTuning.TURNED
-					? o
-					: o.withConfidence(TrackTuning.TURNED, WHY))
-				.toList()
+			? frames.stream().map(o -> o.doubted(TrackTuning.TURNED, WHY)).toList()
 			: frames;
 	}
 

@@ -6,7 +6,6 @@ import java.util.List;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.LineAppearance;
-import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 
 /**
@@ -35,16 +34,11 @@ final class GuessedLength {
 		final long hidden = contours.stream().filter(c -> isHidden(c, width)).count();
 		return hidden <= TrackTuning.NEARLY_ALL * contours.size()
 			? frames
-			: frames.stream().map(GuessedLength::doubted).toList();
+			: frames.stream().map(o -> o.atMost(TrackTuning.GUESSED, WHY)).toList();
 	}
 
 	private static boolean isHidden(final Polyline contour, final double width) {
 		final double before = contour.length() - TrackTuning.TAIL * width;
 		return before > 0 && contour.head(before).distanceTo(contour.last()) < width;
-	}
-
-	/** What the user said stays as it was said. */
-	private static Observation doubted(final Observation o) {
-		return o.status() == FrameStatus.CORRECTED ? o : o.atMost(TrackTuning.GUESSED, WHY);
 	}
 }

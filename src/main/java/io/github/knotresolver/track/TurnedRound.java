@@ -5,7 +5,6 @@ import java.util.List;
 
 import io.github.knotresolver.contour.EqualArcDistance;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 
 /**
@@ -45,7 +44,8 @@ final class TurnedRound {
 		final List<Observation> doubted = new ArrayList<>(frames);
 		for (int k = 0; k < turned.length; k++)
 			if (beside[k] || turned[k] == seldom)
-				doubted.set(seen.get(k), doubted(frames.get(seen.get(k))));
+				doubted.set(seen.get(k),
+					frames.get(seen.get(k)).doubted(TrackTuning.TURNED, WHY));
 		return doubted;
 	}
 
@@ -53,12 +53,5 @@ final class TurnedRound {
 		final double moved = EqualArcDistance.mean(before, after);
 		return moved > TrackTuning.VISIBLE
 			&& EqualArcDistance.mean(before, after.reversed()) < TrackTuning.TURN * moved;
-	}
-
-	/** What the user said stays as it was said. */
-	private static Observation doubted(final Observation o) {
-		return o.status() == FrameStatus.CORRECTED || o.confidence() <= TrackTuning.TURNED
-			? o
-			: o.withConfidence(TrackTuning.TURNED, WHY);
 	}
 }
