@@ -3,6 +3,8 @@ package io.github.knotresolver.candidate;
 
 import java.util.OptionalDouble;
 
+import io.github.knotresolver.candidate.Candidate.Price;
+
 /** Prices trails of one graph, finished ones and those under way. */
 final class TrailPricing {
 

@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.PriorityQueue;
 
+import io.github.knotresolver.candidate.Candidate.Price;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.graph.Step;
 import io.github.knotresolver.progress.Progress;

@@ -29,8 +29,8 @@ final class NodeSystem {
 
 	void clear() {
 		for (int row = 0; row < size; row++)
-			Arrays.fill(matrix, row * stride,
-				row * stride + Math.min(stride, size - (row & ~1)), 0);
+			Arrays.fill(matrix, row * stride, row * stride + Math.min(stride, size - (row & ~1)),
+				0);
 		Arrays.fill(vector, 0);
 	}
 

@@ -10,6 +10,7 @@ import net.imglib2.img.Img;
 import net.imglib2.type.logic.BitType;
 
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.mask.ConnectedComponents.MaskObject;
 
 /** Follows one object through the masks of a movie. */
 public final class ObjectFollower {

@@ -8,10 +8,10 @@ import java.util.Optional;
 import java.util.Set;
 
 import io.github.knotresolver.candidate.Candidate;
+import io.github.knotresolver.candidate.Candidate.Price;
 import io.github.knotresolver.candidate.CandidateGenerator;
 import io.github.knotresolver.candidate.CandidateQuery;
 import io.github.knotresolver.candidate.CandidateSet;
-import io.github.knotresolver.candidate.Price;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.graph.Node;
 import io.github.knotresolver.graph.RootedGraph;

@@ -17,7 +17,7 @@ import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.image.FrameEvidence;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.mask.ConnectedComponents;
-import io.github.knotresolver.mask.MaskObject;
+import io.github.knotresolver.mask.ConnectedComponents.MaskObject;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.track.FrameView;
 

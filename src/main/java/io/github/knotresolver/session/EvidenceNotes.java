@@ -9,7 +9,7 @@ import java.util.Optional;
 import io.github.knotresolver.image.Enlargement;
 import io.github.knotresolver.image.LineAppearance;
 import io.github.knotresolver.mask.ConnectedComponents;
-import io.github.knotresolver.mask.MaskObject;
+import io.github.knotresolver.mask.ConnectedComponents.MaskObject;
 import io.github.knotresolver.model.Polarity;
 import io.github.knotresolver.skeleton.AppearanceFinder;
 import io.github.knotresolver.track.FrameView;

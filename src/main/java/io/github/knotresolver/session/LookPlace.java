@@ -22,7 +22,7 @@ import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.mask.ConnectedComponents;
-import io.github.knotresolver.mask.MaskObject;
+import io.github.knotresolver.mask.ConnectedComponents.MaskObject;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.model.Polarity;
 import io.github.knotresolver.model.Region;

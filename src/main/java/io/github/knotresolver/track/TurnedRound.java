@@ -44,8 +44,7 @@ final class TurnedRound {
 		final List<Observation> doubted = new ArrayList<>(frames);
 		for (int k = 0; k < turned.length; k++)
 			if (beside[k] || turned[k] == seldom)
-				doubted.set(seen.get(k),
-					frames.get(seen.get(k)).doubted(TrackTuning.TURNED, WHY));
+				doubted.set(seen.get(k), frames.get(seen.get(k)).doubted(TrackTuning.TURNED, WHY));
 		return doubted;
 	}
 

@@ -12,7 +12,7 @@ import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.mask.ConnectedComponents;
-import io.github.knotresolver.mask.MaskObject;
+import io.github.knotresolver.mask.ConnectedComponents.MaskObject;
 
 /** Light that the chains of a scene leave, as stretches of a line. */
 final class UnexplainedLight {

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.Drawn;
 import io.github.knotresolver.candidate.Candidate;
-import io.github.knotresolver.candidate.Price;
+import io.github.knotresolver.candidate.Candidate.Price;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.SkeletonGraph;

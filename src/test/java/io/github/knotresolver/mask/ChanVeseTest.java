@@ -18,6 +18,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 import io.github.knotresolver.Ascii;
 import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.mask.ConnectedComponents.MaskObject;
 import io.github.knotresolver.model.Segmentation;
 
 class ChanVeseTest {

@@ -21,6 +21,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import io.github.knotresolver.CancelledProgress;
 import io.github.knotresolver.image.FrameCleaner;
 import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.mask.ConnectedComponents.MaskObject;
 import io.github.knotresolver.model.Cleaning;
 import io.github.knotresolver.model.Polarity;
 import io.github.knotresolver.model.Segmentation;

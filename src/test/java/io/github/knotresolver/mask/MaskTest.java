@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 
 import io.github.knotresolver.Ascii;
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.mask.ConnectedComponents.MaskObject;
 
 class MaskTest {
 

@@ -20,6 +20,7 @@ import ij.ImagePlus;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.image.FrameCleaner;
 import io.github.knotresolver.image.Pixels;
+import io.github.knotresolver.mask.ConnectedComponents.MaskObject;
 import io.github.knotresolver.model.Cleaning;
 import io.github.knotresolver.model.Segmentation;
 import io.github.knotresolver.skeleton.Skeletonize;

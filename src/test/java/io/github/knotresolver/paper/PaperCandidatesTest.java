@@ -115,7 +115,7 @@ class PaperCandidatesTest {
 		final SkeletonGraph g = drawn(lines);
 		final FilamentDigraph d = FilamentDigraph.of(g, g.segments().get(0), Optional.empty());
 		final Graph<Label, Contact> graph = d.asGraph();
-		final SimplePaths simple = new SimplePaths(graph, 10_000);
+		final PaperPaths.SimplePaths simple = new PaperPaths.SimplePaths(graph, 10_000);
 		for (final Label to : d.labels()) {
 			if (to.id() == d.start().id())
 				continue;

@@ -129,7 +129,7 @@ class RenderingTest {
 	@Test
 	void othersAndSpecksShineAndGlide() {
 		final Optics crowded = new Optics(1.5, 100, 20, 0, 1e9, 3, 5, 4);
-		final Bystanders b = new Bystanders(crowded, 9);
+		final OpticalRenderer.Bystanders b = new OpticalRenderer.Bystanders(crowded, 9);
 		final LightField first = new LightField(WIDTH, HEIGHT, 1.5);
 		final LightField again = new LightField(WIDTH, HEIGHT, 1.5);
 		final LightField later = new LightField(WIDTH, HEIGHT, 1.5);
