@@ -85,6 +85,19 @@ final class ImageTuning {
 	static final double SPOT_ALONE = 0.3;
 
 	/**
+	 * [noise sigma] A hot pixel is so much brighter than what surrounds it says. Why: of a million
+	 * pixels none is by chance.
+	 */
+	static final double STUCK_NOISE = 8;
+
+	/**
+	 * [share] ... and it is brighter than its second brightest neighbour by so many times what
+	 * that is brighter than the darkest. Why: of a spot with a sigma of 0.8 px, the sharpest that a
+	 * lens draws on a camera, it is 1.2 times.
+	 */
+	static final double STUCK_ALONE = 2;
+
+	/**
 	 * [share] A pixel is free of lines in at least this share of the frames. Why: a filament lies
 	 * on its usual track nearly all the time, and of ten frames one tells.
 	 */

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 
 import io.github.knotresolver.image.Enlargement;
 import io.github.knotresolver.image.LineAppearance;
@@ -49,12 +48,17 @@ final class EvidenceNotes {
 	}
 
 	/** What stays in all frames. */
-	static Optional<String> of(final StillSpots spots) {
-		return spots.count() == 0
-			? Optional.empty()
-			: Optional.of("Still spots: " + spots.count()
-				+ (spots.count() == 1 ? " round bright spot stays" : " round bright spots stay")
+	static List<String> of(final StillSpots still) {
+		final List<String> notes = new ArrayList<>();
+		if (still.hot() > 0)
+			notes.add("Hot pixels: " + still.hot()
+				+ (still.hot() == 1 ? " single pixel is" : " single pixels are")
+				+ " far too bright in all frames; what surrounds them says how bright they should be.");
+		if (still.count() > 0)
+			notes.add("Still spots: " + still.count()
+				+ (still.count() == 1 ? " round bright spot stays" : " round bright spots stay")
 				+ " in place in all frames; their light was taken off the frames.");
+		return notes;
 	}
 
 	private static String enlarged(final Enlargement e) {

@@ -48,7 +48,7 @@ final class EvidencePreparer {
 			looks.find(movie, frames, polarity), m -> looks.find(m, frames, polarity));
 		final AppearanceFinder.Found found = spotless.lines();
 		final List<String> notes = new ArrayList<>(EvidenceNotes.early(found));
-		EvidenceNotes.of(spotless).ifPresent(notes::add);
+		notes.addAll(EvidenceNotes.of(spotless));
 		notes.forEach(progress::note);
 		final EvidenceFinder finder = new EvidenceFinder(found.appearance());
 		final List<FrameEvidence> evidence = threads.map("Finding lines", progress, frames.size(),

@@ -162,6 +162,12 @@ final class SessionTuning {
 	static final int FEWEST_STILL_FRAMES = 10;
 
 	/**
+	 * [strands] A hot pixel is so much brighter than those around it. Why: less hardly moves a
+	 * contour, and lines themselves are uneven by as much.
+	 */
+	static final double HOT = 0.5;
+
+	/**
 	 * [strands] A still spot that is as bright as this dazzles. Why: of a strand of 100 photons its
 	 * own noise is a fifth, and what is wrong with its profile as much.
 	 */

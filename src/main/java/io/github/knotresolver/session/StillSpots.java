@@ -13,20 +13,22 @@ import io.github.knotresolver.image.LineAppearance;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.image.RoundSpots;
 import io.github.knotresolver.image.StillPicture;
+import io.github.knotresolver.image.StuckPixels;
 import io.github.knotresolver.model.Movie;
 import io.github.knotresolver.progress.Cancellation;
 import io.github.knotresolver.skeleton.AppearanceFinder;
 
 /**
- * Takes round bright spots that stay where they are in all frames, beads and dirt, off a movie
- * before anything is looked for in it. What its lines look like is found out once more without
- * them.
+ * Takes what stays where it is in all frames off a movie before anything is looked for in it: the
+ * camera's hot pixels are filled in from around them, the light of round bright spots, beads and
+ * dirt, is taken off. What its lines look like is found out once more without them.
  *
  * @param movie the movie without them; as it was if there are none
  * @param lines what its lines look like
- * @param count how many there are
+ * @param count how many spots there are
+ * @param hot how many hot pixels
  */
-record StillSpots(Movie movie, AppearanceFinder.Found lines, int count) {
+record StillSpots(Movie movie, AppearanceFinder.Found lines, int count, int hot) {
 
 	/** Values of all these frames that are looked at together. */
 	private static final int VALUES = 1 << 23;
@@ -40,23 +42,47 @@ record StillSpots(Movie movie, AppearanceFinder.Found lines, int count) {
 	 */
 	static StillSpots off(final Movie movie, final List<Integer> frames,
 		final AppearanceFinder.Found found, final Function<Movie, AppearanceFinder.Found> again) {
-		final StillSpots none = new StillSpots(movie, found, 0);
-		if (frames.size() < SessionTuning.FEWEST_STILL_FRAMES || !found.appearance().hasReference())
+		final StillSpots none = new StillSpots(movie, found, 0, 0);
+		if (frames.size() < 2 || !found.appearance().hasReference())
 			return none;
 		final float[] still = still(movie,
 			Arrays.stream(StillPicture.looks(frames.size(), SessionTuning.STILL_FRAMES))
 				.map(frames::get).toArray(),
 			found.appearance().polarity().sign());
-		final RoundSpots.Found first = spots(still, movie.width(), found.appearance());
+		final StuckPixels hot = StuckPixels.in(still, movie.width(),
+			SessionTuning.HOT * found.appearance().strand());
+		final StillSpots filled = hot.count() == 0 ? none : none.filled(hot, again);
+		if (frames.size() < SessionTuning.FEWEST_STILL_FRAMES)
+			return filled;
+		final float[] rest = still.clone();
+		for (int at = 0; at < still.length; at++)
+			if (hot.contains(at))
+				rest[at] = (float) hot.filled(at, i -> still[i]);
+		return filled.withoutSpots(rest, again);
+	}
+
+	private StillSpots filled(final StuckPixels pixels,
+		final Function<Movie, AppearanceFinder.Found> again) {
+		final Movie filled = new Movie(movie.name(), FilledFrames.of(movie.frames(), pixels),
+			movie.calibration());
+		final AppearanceFinder.Found better = again.apply(filled);
+		return better.appearance().hasReference()
+			? new StillSpots(filled, better, 0, pixels.count())
+			: this;
+	}
+
+	private StillSpots withoutSpots(final float[] still,
+		final Function<Movie, AppearanceFinder.Found> again) {
+		final RoundSpots.Found first = spots(still, movie.width(), lines.appearance());
 		if (first.count() == 0)
-			return none;
-		final AppearanceFinder.Found better = again.apply(without(movie, first, found));
+			return this;
+		final AppearanceFinder.Found better = again.apply(without(movie, first, lines));
 		if (!better.appearance().hasReference())
-			return none;
+			return this;
 		final RoundSpots.Found spots = spots(still, movie.width(), better.appearance());
 		return spots.count() == 0
-			? none
-			: new StillSpots(without(movie, spots, found), better, spots.count());
+			? this
+			: new StillSpots(without(movie, spots, lines), better, spots.count(), hot);
 	}
 
 	private static RoundSpots.Found spots(final float[] still, final int width,

@@ -91,6 +91,31 @@ class StillSpotsTest {
 		assertTrue(through > 0);
 	}
 
+	/** Two of them beside each other, one where the filament passes. */
+	@ParameterizedTest
+	@ValueSource(ints = {3, 24})
+	void hotPixelsAreFilledInFromAroundThem(final int frames) {
+		final Movie plain = movie(frames, new double[0][], 1);
+		final float[] pixels = Pixels.floats(plain.frame(0));
+		final int[] hot = {10 * SIZE + 10, 10 * SIZE + 11, 52 * SIZE + 40, 99};
+		final float[] all = new float[frames * SIZE * SIZE];
+		for (int t = 0; t < frames; t++) {
+			System.arraycopy(Pixels.floats(plain.frame(t)), 0, all, t * SIZE * SIZE, pixels.length);
+			for (final int at : hot)
+				all[t * SIZE * SIZE + at] += 400;
+		}
+		final StillSpots still = of(
+			new Movie("hot", ArrayImgs.floats(all, SIZE, SIZE, frames), Calibration.NONE));
+		assertEquals(hot.length, still.hot());
+		assertEquals(0, still.count());
+		for (int t = 0; t < frames; t++) {
+			final float[] frame = Pixels.floats(still.movie().frame(t));
+			for (final int at : hot)
+				assertEquals(1000 + line(t, at % SIZE, at / SIZE), frame[at], 5 * NOISE,
+					"frame " + t + ", pixel " + at);
+		}
+	}
+
 	@Test
 	void aMovieWithoutSpotsIsLeftAsItIs() {
 		final Movie movie = movie(24, new double[0][], 1);
