@@ -21,8 +21,9 @@ public final class Background {
 
 	/**
 	 * The local mean of the pixels outside a mask, by Gaussians of 8 px and, where those
-	 * see too few pixels, wider ones; pixels that stick out are left out. Slopes, haze and
-	 * vignettes are followed, lines are bridged. O(n) for n pixels.
+	 * see too few pixels, wider ones; pixels that stick out are left out. What the whole frame
+	 * does, a slope or a bow, is told first. Slopes, haze and vignettes are followed, lines are
+	 * bridged. O(n) for n pixels.
 	 * <p>
 	 * Normalized convolution: Knutsson and Westin 1993, doi:10.1109/CVPR.1993.341081.
 	 *
@@ -53,13 +54,27 @@ public final class Background {
 		final boolean[] out = lines.clone();
 		for (int i = 0; i < out.length; i++)
 			out[i] |= !Float.isFinite(pixels[i]);
-		float[] background = smooth(pixels, width, out);
+		float[] background = alongTrend(pixels, width, out);
 		for (int round = 0; round < ImageTuning.BACKGROUND_ROUNDS; round++) {
 			final double limit = ImageTuning.OUTLIER * spread(pixels, background, out);
 			for (int i = 0; i < out.length; i++)
 				out[i] |= Math.abs(pixels[i] - background[i]) > limit;
-			background = smooth(pixels, width, out);
+			background = alongTrend(pixels, width, out);
 		}
+		return background;
+	}
+
+	/** The trend of the whole frame, and the local mean of what is left. */
+	private static float[] alongTrend(final float[] pixels, final int width, final boolean[] out) {
+		final BackgroundTrend trend = BackgroundTrend.of(pixels, width, out);
+		if (!trend.isThere())
+			return smooth(pixels, width, out);
+		final float[] values = trend.values(), rest = new float[pixels.length];
+		for (int i = 0; i < rest.length; i++)
+			rest[i] = pixels[i] - values[i];
+		final float[] background = smooth(rest, width, out);
+		for (int i = 0; i < rest.length; i++)
+			background[i] += values[i];
 		return background;
 	}
 

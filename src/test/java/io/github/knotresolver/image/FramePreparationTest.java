@@ -59,6 +59,29 @@ class FramePreparationTest {
 			assertEquals(slope(x), background[60 * size + x], 3, "column " + x);
 	}
 
+	/** Where pixels of the background lie on one side only, a local mean is off by what they miss. */
+	@Test
+	void backgroundOfASteepBowIsRightAtTheBorderAndInsideARing() {
+		final int size = 120;
+		final Random random = new Random(3);
+		final float[] frame = new float[size * size];
+		final boolean[] mask = new boolean[frame.length];
+		for (int i = 0; i < frame.length; i++) {
+			final double d = Math.hypot(i % size - 30, i / size - 60) - 18;
+			frame[i] = (float) (bow(i % size, i / size) + 100 * Math.exp(-d * d / 4)
+				+ 4 * random.nextGaussian());
+			mask[i] = Math.abs(d) < 8;
+		}
+		final float[] background = Background.of(frame, size, mask);
+		for (int i = 0; i < frame.length; i++)
+			assertEquals(bow(i % size, i / size), background[i], 3,
+				"column " + i % size + ", row " + i / size);
+	}
+
+	private static double bow(final int x, final int y) {
+		return 20 + 8 * x + 0.05 * (y - 40) * (y - 40);
+	}
+
 	private static double slope(final int x) {
 		return 20 + 160 * x / 120.0;
 	}
