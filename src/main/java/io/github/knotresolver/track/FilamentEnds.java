@@ -73,8 +73,10 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid, boolean roam
 		final boolean stillIsLast = l < f;
 		final double held = spread(chains, stillIsLast), loose = spread(chains, !stillIsLast);
 		final boolean clamped = switch (anchor) {
-			case AUTO -> less < TrackTuning.HELD_STILL && less < TrackTuning.HELD_SHARE * more
-				&& held < Math.max(TrackTuning.HELD_PLACE, TrackTuning.HELD_PLACE_SHARE * loose);
+			case AUTO ->
+				less < TrackTuning.HELD_SHARE * more && (held < TrackTuning.HELD_STAYS * loose
+					|| less < TrackTuning.HELD_STILL && held < Math.max(TrackTuning.HELD_PLACE,
+						TrackTuning.HELD_PLACE_SHARE * loose));
 			case CLAMPED -> true;
 			case FREE -> false;
 		};

@@ -701,6 +701,12 @@ final class TrackTuning {
 	static final double HELD_PLACE_SHARE = 0.5;
 
 	/**
+	 * [share] ... or, however much noise moves it, if it stays nearer to its place than this part of
+	 * what the other end does. Why: the two ends of a glider go equally far.
+	 */
+	static final double HELD_STAYS = 0.1;
+
+	/**
 	 * [px] Motion is looked at over so many frames that a filament slides this far. Why: nearer,
 	 * noise across the track is as large.
 	 */
