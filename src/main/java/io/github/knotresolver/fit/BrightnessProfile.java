@@ -41,6 +41,24 @@ final class BrightnessProfile {
 		return new BrightnessProfile(examples, line).estimate();
 	}
 
+	/**
+	 * @param brightness relative brightness at equal spacing
+	 * @return whether it is all but dark somewhere, and far brighter on both sides of that
+	 */
+	static boolean isBroken(final double[] brightness) {
+		final double[] after = brightness.clone();
+		for (int i = after.length - 2; i >= 0; i--)
+			after[i] = Math.max(after[i], after[i + 1]);
+		double before = 0;
+		for (int i = 0; i < brightness.length; i++) {
+			before = Math.max(before, brightness[i]);
+			if (brightness[i] < FitTuning.GAP
+				&& Math.min(before, after[i]) > FitTuning.BEYOND_GAP * brightness[i])
+				return true;
+		}
+		return false;
+	}
+
 	private double[] estimate() {
 		final double weight = FitTuning.PROFILE_HOLD * examples.size();
 		final double[] even = evenKnots();

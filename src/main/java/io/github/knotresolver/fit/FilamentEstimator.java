@@ -221,7 +221,11 @@ public final class FilamentEstimator {
 		return new Learned(fitting.released().again(examples, line, false), line);
 	}
 
-	/** The same with what the brightness is along the filament, if that is noticeable. */
+	/**
+	 * The same with what the brightness is along the filament, if that is noticeable. Where the
+	 * filament would be all but dark and bright again before its end, what lies beyond is something
+	 * else: curves that followed it there are taken back.
+	 */
 	private static Learned evenOrNot(final Learned first, final Fitting fitting) {
 		List<Example> examples = first.examples;
 		LineEstimate line = first.line;
@@ -230,6 +234,9 @@ public final class FilamentEstimator {
 			final double[] brightness = BrightnessProfile.estimate(grown, line);
 			if (brightness.length == 1)
 				break;
+			if (BrightnessProfile.isBroken(brightness))
+				return new Learned(first.examples, first.line.withModel(first.line.model()
+					.withBrightness(BrightnessProfile.estimate(first.examples, first.line))));
 			line = line.withModel(line.model().withBrightness(brightness));
 			final double before = usualLength(examples);
 			examples = fitting.again(grown, line, false);

@@ -185,6 +185,15 @@ final class FitTuning {
 	static final double START_HELD = 0.2;
 
 	/**
+	 * [strands] A filament that is dimmer than this between its ends is not one filament there. Why:
+	 * speckle leaves more, and a dim end is one.
+	 */
+	static final double GAP = 0.4;
+
+	/** [ratio] ... if it is so much brighter on both sides. Why: a tapered end is so on one only. */
+	static final double BEYOND_GAP = 2;
+
+	/**
 	 * [rounds] Rounds in which the profile along the filament is learned, at least. Why: the
 	 * length follows the profile.
 	 */

@@ -1,6 +1,7 @@
 package io.github.knotresolver.fit;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -161,5 +162,15 @@ class FilamentEstimatorTest {
 					FitSettings.ENDS_FREE, workers, Progress.NONE)
 				.orElseThrow();
 		}
+	}
+
+	/** As of a filament that was followed through a gap onto a bead, one that tapers, and speckle. */
+	@Test
+	void aFilamentThatIsDarkBetweenBrightPiecesIsBroken() {
+		assertTrue(BrightnessProfile.isBroken(new double[]{0.9, 0.5, 0.25, 0.3, 1.1, 1.3, 0.7}));
+		assertTrue(BrightnessProfile.isBroken(new double[]{0.7, 1.3, 1.1, 0.3, 0.9}));
+		assertFalse(BrightnessProfile.isBroken(new double[]{0.2, 0.4, 0.9, 1.2, 0.8, 0.3, 0.1}));
+		assertFalse(BrightnessProfile.isBroken(new double[]{0.8, 1.3, 0.5, 1.2, 0.6, 1}));
+		assertFalse(BrightnessProfile.isBroken(new double[]{1}));
 	}
 }
