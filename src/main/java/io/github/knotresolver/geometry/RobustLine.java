@@ -62,7 +62,10 @@ public record RobustLine(double start, double slope) {
 			: IntStream.range(0, MOST).map(i -> (int) ((long) i * (n - 1) / (MOST - 1))).toArray();
 	}
 
-	/** @return the value at a place */
+	/**
+	 * @param place any
+	 * @return the value there
+	 */
 	public double at(final double place) {
 		return start + slope * place;
 	}
