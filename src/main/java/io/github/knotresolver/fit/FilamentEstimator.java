@@ -6,6 +6,7 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.fit.LineEstimator.Example;
 import io.github.knotresolver.fit.LineEstimator.LineEstimate;
@@ -141,22 +142,45 @@ public final class FilamentEstimator {
 			return endsFree.roughAndStiff(FitSettings.START_STIFFNESS);
 		}
 
-		/** The way through each skeleton that explains most light, followed to the end of its light. */
-		List<Example> toTheEnd(final List<Example> examples, final LineEstimate line) {
+		/** All ways through each skeleton, fitted from there. */
+		List<List<Chain>> ways(final List<Example> examples, final LineEstimate line) {
 			return workers.map(examples.size(), i -> {
 				progress.checkCancelled();
-				final Example e = examples.get(i);
-				final NormalizedFrame frame = line.scaled(e);
-				final EndLight ends = new EndLight(frame, line.model(), frame.noise());
-				final List<Chain> ways = new ArrayList<>(List.of(e.chain()));
+				final NormalizedFrame frame = line.scaled(examples.get(i));
+				final List<Chain> ways = new ArrayList<>(List.of(examples.get(i).chain()));
 				for (final Polyline other : sightings.get(i).others)
 					ways.add(
 						fit(frame, line, fit(frame, line, chain(other), start(i), stiff()).chain(),
 							start(i), endsFree).chain());
-				return new Example(e.frame(),
-					ways.stream().map(w -> fit(frame, line, ends.settled(w), start(i), endsFree))
-						.min(Comparator.comparingDouble(Fit::energy)).orElseThrow().chain());
+				return ways;
 			});
+		}
+
+		/**
+		 * The ways through each skeleton followed to the end of their light: first the one that
+		 * explains most, then those that differ from it and are hardly dearer.
+		 */
+		List<List<Chain>> toTheEnd(final List<Example> examples, final List<List<Chain>> ways,
+			final LineEstimate line) {
+			return workers.map(ways.size(), i -> {
+				progress.checkCancelled();
+				final NormalizedFrame frame = line.scaled(examples.get(i));
+				final EndLight ends = new EndLight(frame, line.model(), frame.noise());
+				return worthwhile(ways.get(i).stream()
+					.map(w -> fit(frame, line, ends.settled(w), start(i), endsFree))
+					.sorted(Comparator.comparingDouble(Fit::energy)).toList());
+			});
+		}
+
+		private static List<Chain> worthwhile(final List<Fit> cheapestFirst) {
+			final Fit best = cheapestFirst.get(0);
+			final int links = best.chain().links();
+			final List<Chain> kept = new ArrayList<>(List.of(best.chain()));
+			for (final Fit f : cheapestFirst)
+				if (f.energy() < best.energy() + FitTuning.OTHER_WAY && kept.stream().noneMatch(
+					k -> f.chain().divided(links).distance(k.divided(links)) < FitTuning.SAME_WAY))
+					kept.add(f.chain());
+			return kept;
 		}
 
 		private static Fit fit(final NormalizedFrame frame, final LineEstimate line,
@@ -214,11 +238,20 @@ public final class FilamentEstimator {
 	private static Learned ended(final Learned first, final Fitting fitting) {
 		List<Example> examples = first.examples;
 		LineEstimate line = first.line;
+		List<List<Chain>> ways = isLine(line) ? fitting.ways(examples, line) : List.of();
 		for (int round = 0; round < FitTuning.ENDING_ROUNDS && isLine(line); round++) {
-			examples = fitting.toTheEnd(examples, line);
+			ways = fitting.toTheEnd(examples, ways, line);
+			examples = along(examples, ways);
 			line = line(examples, line.model().kind(), line.model().sigma(), fitting.progress);
 		}
 		return new Learned(fitting.released().again(examples, line, false), line);
+	}
+
+	/** The same frames with the first way through each. */
+	private static List<Example> along(final List<Example> examples,
+		final List<List<Chain>> ways) {
+		return IntStream.range(0, ways.size())
+			.mapToObj(i -> new Example(examples.get(i).frame(), ways.get(i).get(0))).toList();
 	}
 
 	/**

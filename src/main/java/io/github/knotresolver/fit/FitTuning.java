@@ -179,6 +179,15 @@ final class FitTuning {
 	static final int ENDING_ROUNDS = 3;
 
 	/**
+	 * [strands²] Of several ways through a skeleton those that are so much dearer than the best are
+	 * not followed any farther. Why: the line hardly changes once it was learned along the best.
+	 */
+	static final double OTHER_WAY = 12;
+
+	/** [px] ... nor those that come so near to a better one, on average. Why: they are one. */
+	static final double SAME_WAY = 1;
+
+	/**
 	 * [strands²/px²] Price of leaving the place where a skeleton begins, of a filament that lies
 	 * on itself. Why: 1 / (2 variance), skeletons begin within 1.5 px.
 	 */

@@ -11,7 +11,8 @@ import io.github.knotresolver.fit.Fit;
 /**
  * Where a filament may be one frame on if it moves far between frames: it has slid along
  * itself, towards its fixed end or away, and wound up or unwound. Many such shapes are
- * compared with the picture as they are, and the best few are starts of a fit.
+ * compared with the picture as they are, and the best few are starts of a fit. Only the best
+ * hypothesis is asked for them: others that wind up are proposed by the graph as well.
  *
  * @param reach usual motion between frames in pixels
  */
