@@ -73,7 +73,10 @@ final class SolvedMovie {
 			: scene(scenes, settings);
 		if (scene.isPresent() && !mayBeOne(scene.get(), settings, prepared))
 			return new SolvedMovie(movie, prepared, still.lines(), scene, Optional.empty());
-		final FrameResolver single = single(movie, prepared, settings, workers, placed);
+		final Optional<SceneTracks> told = alone ? Optional.empty() : told(scenes, whole, settings);
+		if (told.isPresent())
+			return new SolvedMovie(movie, prepared, still.lines(), told, Optional.empty());
+		final FrameResolver single = single(movie, prepared, settings, scenes, placed);
 		final boolean undecided = scene.isPresent() || alone && settings.deliversAll();
 		final Optional<Track> one = undecided
 			? single.resolve(List.of(), workers, placed)
@@ -113,6 +116,16 @@ final class SolvedMovie {
 			&& (settings.anchor() == AnchorChoice.FREE || !s.isOneClamped()));
 	}
 
+	/** The filament at the point that was told, if that is a free one. */
+	private static Optional<SceneTracks> told(final SceneResolver scenes,
+		final PreparedMovie prepared, final Settings settings) {
+		return settings.deliversAll() || !settings.fitsTrails()
+			|| settings.anchor() == AnchorChoice.CLAMPED
+				? Optional.empty()
+				: prepared.pixels().of(settings).fixedEnd()
+					.flatMap(end -> scenes.freeUnder(end, settings.anchor()));
+	}
+
 	/** Whether several filaments may be one that lies on itself. */
 	private static boolean mayBeOne(final SceneTracks scene, final Settings settings,
 		final PreparedMovie prepared) {
@@ -121,12 +134,12 @@ final class SolvedMovie {
 	}
 
 	private static FrameResolver single(final Movie movie, final PreparedMovie prepared,
-		final Settings settings, final Workers workers, final Progress progress) {
+		final Settings settings, final SceneResolver scenes, final Progress progress) {
 		final Settings working = prepared.pixels().of(settings);
 		progress.report("Looking for the fixed end", 0);
 		settings.fixedEnd()
 			.ifPresent(end -> requireNearObject(end, working.fixedEnd().orElseThrow(), prepared));
-		final List<FrameView> frames = alone(prepared, working, workers, progress);
+		final List<FrameView> frames = alone(prepared, working, scenes);
 		final Point fixedEnd = working.fixedEnd()
 			.orElseGet(() -> new FixedEndFinder(frames, progress).find()
 				.orElseThrow(() -> nothingFound(movie, settings)));
@@ -135,13 +148,12 @@ final class SolvedMovie {
 
 	/** The frames without the light of filaments that are not meant. */
 	private static List<FrameView> alone(final PreparedMovie prepared, final Settings working,
-		final Workers workers, final Progress progress) {
+		final SceneResolver scenes) {
 		final List<FrameView> frames = prepared.frames();
 		return working.fixedEnd().isEmpty() || !working.fitsTrails()
 			|| SingleFilament.isClampedAlone(frames)
 				? frames
-				: new SceneResolver(frames, prepared.kinds(), workers, progress)
-					.alone(working.fixedEnd().get());
+				: scenes.alone(working.fixedEnd().get());
 	}
 
 	/**

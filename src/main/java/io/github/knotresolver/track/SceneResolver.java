@@ -34,6 +34,8 @@ public final class SceneResolver {
 	private final Progress progress;
 	/** What lines look like, once it is learned. */
 	private Optional<SceneLine> learned = Optional.empty();
+	/** All filaments, one or many, once they were followed. */
+	private Optional<Solved> followed = Optional.empty();
 
 	/**
 	 * @param frames the frames to resolve, in order of time, at least one
@@ -57,18 +59,39 @@ public final class SceneResolver {
 	 *         there are better means
 	 */
 	public Optional<SceneTracks> resolve(final AnchorChoice anchor) {
-		return solve(anchor != AnchorChoice.FREE).map(s -> {
-			final boolean[][] clear = ScenePass.of(s.filaments).clear(s.line, workers);
-			final List<Length> lengths = lengths(s, clear);
-			return new ExchangedHalves(s.line, s.weights, workers, progress)
-				.mended(s.filaments, lengths).map(m -> {
-					final Solved mended = new Solved(s.line, s.weights, m);
-					final boolean[][] again = ScenePass.of(m).clear(s.line, workers);
-					return SceneTracks.of(s.line, measured(m, lengths(mended, again)), again,
-						anchor);
-				}).orElseGet(
-					() -> SceneTracks.of(s.line, measured(s.filaments, lengths), clear, anchor));
-		});
+		return solve(anchor != AnchorChoice.FREE).map(s -> tracks(s, anchor));
+	}
+
+	/**
+	 * The filament under a point, if it is free: then it is followed as one of all filaments.
+	 *
+	 * @param place in pixels
+	 * @param anchor whether filaments are held at one end
+	 * @return that filament; empty if a held one ends there, or no filament lies there that is
+	 *         free
+	 */
+	public Optional<SceneTracks> freeUnder(final Point place, final AnchorChoice anchor) {
+		return all().flatMap(s -> tracks(s, anchor).freeUnder(place));
+	}
+
+	private SceneTracks tracks(final Solved solved, final AnchorChoice anchor) {
+		final SceneLine line = solved.line;
+		final boolean[][] clear = ScenePass.of(solved.filaments).clear(line, workers);
+		final List<Length> lengths = lengths(solved, clear);
+		return new ExchangedHalves(line, solved.weights, workers, progress)
+			.mended(solved.filaments, lengths).map(m -> {
+				final Solved mended = new Solved(line, solved.weights, m);
+				final boolean[][] again = ScenePass.of(m).clear(line, workers);
+				return SceneTracks.of(line, measured(m, lengths(mended, again)), again, anchor);
+			}).orElseGet(
+				() -> SceneTracks.of(line, measured(solved.filaments, lengths), clear, anchor));
+	}
+
+	/** All filaments, also if there is but one that is clamped. */
+	private Optional<Solved> all() {
+		if (followed.isEmpty())
+			followed = solve(false);
+		return followed;
 	}
 
 	/**
@@ -78,7 +101,7 @@ public final class SceneResolver {
 	 * @return the frames, the light in strands; as they are if no filament ends there
 	 */
 	public List<FrameView> alone(final Point end) {
-		return solve(false).map(s -> {
+		return all().map(s -> {
 			final ScenePass pass = ScenePass.of(s.filaments);
 			final int k = pass.endingAt(end);
 			return k < 0 ? frames : new ClampedAgain(s.line, workers, progress).alone(pass, k);

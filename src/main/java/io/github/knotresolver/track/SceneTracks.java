@@ -9,7 +9,10 @@ import java.util.Optional;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.geometry.RobustStatistics;
+import io.github.knotresolver.model.AnchorChoice;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings.AnchorChoice;
@@ -40,6 +43,20 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 	 */
 	public record Filament(boolean clamped, boolean roams, double length, double lengthError,
 		List<Observation> frames) {
+
+		/** Whether it is held near a place: the median of its first points is. */
+		private boolean isHeldAt(final Point place) {
+			final List<Point> starts = frames.stream().flatMap(o -> o.contour().stream())
+				.map(Polyline::first).toList();
+			return clamped && !starts.isEmpty()
+				&& RobustStatistics.median(starts).distanceTo(place) < SceneTuning.PLACE_NEAR;
+		}
+
+		/** How far it is from a place in a frame, in pixels; infinite if it is not seen there. */
+		private double distance(final int t, final Point place) {
+			return frames.get(t).contour().map(c -> c.distanceTo(place))
+				.orElse(Double.POSITIVE_INFINITY);
+		}
 
 		/** @return the mean over all frames; a frame without a contour counts 0 */
 		public double meanConfidence() {
@@ -132,6 +149,35 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 	public boolean isOneClamped() {
 		return filaments.size() == 1 && (filaments.get(0).clamped() || !filaments.get(0).roams()
 			&& filaments.get(0).meanConfidence() < SceneTuning.CREDIBLE);
+	}
+
+	/**
+	 * The filament that lies under a point in the first frame in which one does, if it is free and
+	 * was seen to go far with both ends, or is told to be free.
+	 *
+	 * @param place in pixels
+	 * @return that filament alone; empty if there is none, or a held one ends there
+	 */
+	Optional<SceneTracks> freeUnder(final Point place) {
+		if (filaments.stream().anyMatch(f -> f.isHeldAt(place)))
+			return Optional.empty();
+		final int n = filaments.isEmpty() ? 0 : filaments.get(0).frames.size();
+		for (int t = 0; t < n; t++) {
+			final int frame = t;
+			final Optional<Filament> nearest = filaments.stream()
+				.min(Comparator.comparingDouble(f -> f.distance(frame, place)));
+			if (nearest.get().distance(t, place) < SceneTuning.PLACE_NEAR)
+				return nearest.filter(f -> !f.clamped && f.roams).map(this::only);
+		}
+		return Optional.empty();
+	}
+
+	private SceneTracks only(final Filament filament) {
+		final List<String> one = new ArrayList<>(List.of(
+			"The filament at the point that was told is held nowhere: both of its ends go far. It was followed as a free one"
+				+ (filaments.size() > 1 ? ", one of " + filaments.size() + " filaments." : ".")));
+		one.addAll(new DoubtfulEpisodes(List.of(filament)).notes());
+		return new SceneTracks(model, List.of(filament), one);
 	}
 
 	private static double haste(final List<Chain> chains, final int t) {

@@ -16,6 +16,7 @@ import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.LineModel.Kind;
 import io.github.knotresolver.fit.LineTables;
+import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Settings.AnchorChoice;
 import io.github.knotresolver.progress.Progress;
@@ -115,5 +116,28 @@ class SceneResolverTest {
 		final SceneTracks free = resolver.resolve(AnchorChoice.FREE).orElseThrow();
 		assertEquals(1, free.filaments().size());
 		assertEquals(59, free.filaments().get(0).length(), 1);
+	}
+
+	@Test
+	void aFreeFilamentUnderAPointIsFollowedAsOneOfAllAndAHeldOneIsLeftToWhatIsMadeForIt() {
+		final Random random = new Random(5);
+		final List<FrameView> frames = new ArrayList<>();
+		final List<Chain> gliders = new ArrayList<>();
+		for (int t = 0; t < FRAMES; t++) {
+			gliders.add(rod(100 - 2.6 * t, 20 + 1.3 * t, 2.68, 35));
+			frames.add(frame(t, List.of(beating(0.5 * t), gliders.get(t)), random));
+		}
+		final SceneResolver resolver = new SceneResolver(frames, Set.of(Kind.ADDITIVE),
+			Workers.HERE, Progress.NONE);
+		final SceneTracks glider = resolver
+			.freeUnder(gliders.get(0).polyline().point(4), AnchorChoice.AUTO).orElseThrow();
+		assertEquals(1, glider.filaments().size());
+		assertFalse(glider.filaments().get(0).clamped());
+		for (int t = 0; t < FRAMES; t++)
+			assertTrue(distance(glider.filaments().get(0).frames().get(t).contour().orElseThrow(),
+				gliders.get(t)) < 1, "frame " + (t + 1));
+		assertTrue(glider.notes().get(0).contains("held nowhere"), glider.notes().toString());
+		assertTrue(resolver.freeUnder(new Point(25, 100), AnchorChoice.AUTO).isEmpty());
+		assertTrue(resolver.freeUnder(new Point(5, 5), AnchorChoice.AUTO).isEmpty());
 	}
 }
