@@ -91,11 +91,12 @@ final class BothWays {
 		final List<Chain> all = new ArrayList<>(List.of(beside));
 		for (final double change : Pursuit.CHANGES)
 			all.add(beside.slid(by + change));
+		all.addAll(HeldEnd.shapes(beside, by));
 		return all;
 	}
 
 	private double price(final List<Chain> chains, final int t, final Fit fit) {
-		double price = fit.energy();
+		double price = fit.light() + SceneTuning.BENT_ONCE * (fit.energy() - fit.light());
 		if (t > 0)
 			price += off(chains.get(t - 1), fit.chain());
 		if (t + 1 < chains.size())
@@ -103,12 +104,18 @@ final class BothWays {
 		return price;
 	}
 
-	/** How far a filament left its track, where both lie on it. */
+	/** How far a filament left its track, where both lie on it and no end is held. */
 	private double off(final Chain before, final Chain after) {
 		final double by = before.slide(after);
 		final Chain slid = before.slid(by);
 		final int out = (int) Math.ceil(Math.abs(by) / before.linkLength()), n = before.links();
-		final int from = by < 0 ? out : 0, to = by < 0 ? n : n - out;
+		final int piece = HeldEnd.piece(before);
+		final int from = HeldEnd.isHeld(before.start(), after.start(), by)
+			? piece
+			: by < 0 ? out : 0;
+		final int to = HeldEnd.isHeld(before.tip(), after.tip(), by)
+			? n - piece
+			: by < 0 ? n : n - out;
 		final int middle = n / 2;
 		final double full = 2 * Math.PI
 			* Math.rint((after.angle(middle) - slid.angle(middle)) / (2 * Math.PI));

@@ -98,6 +98,10 @@ final class Pursuit {
 		for (final Chain turned : turned(window, course, expected, usual.energy()))
 			found.add(
 				course(course, window.fit(turned, Optional.of(turned), loose), turned, expected));
+		for (final Chain held : promising(window,
+			HeldEnd.shapes(course.chain, course.chain.slide(expected)), usual.energy(),
+			SceneTuning.HELD_FITTED))
+			found.add(course(course, window.fit(held, Optional.of(held), loose), held, held));
 		return found;
 	}
 
@@ -154,8 +158,18 @@ final class Pursuit {
 					for (final Chain c : window.regrown(expected.slid(-by).reversed(), tip, loose))
 						promising.add(window.price(c.reversed(), loose));
 			}
-		return promising.stream().filter(f -> f.energy() < usual + SceneTuning.PURSUIT_PROMISING)
-			.sorted(Comparator.comparingDouble(Fit::energy)).limit(SceneTuning.PURSUIT_FITTED)
-			.map(Fit::chain).toList();
+		return promising(promising, usual, SceneTuning.PURSUIT_FITTED);
+	}
+
+	private List<Chain> promising(final SceneWindow window, final List<Chain> chains,
+		final double usual, final int most) {
+		return promising(chains.stream().map(c -> window.price(c, loose)).toList(), usual, most);
+	}
+
+	/** The cheapest few that are not much dearer than what is usual. */
+	private static List<Chain> promising(final List<Fit> fits, final double usual,
+		final int most) {
+		return fits.stream().filter(f -> f.energy() < usual + SceneTuning.PURSUIT_PROMISING)
+			.sorted(Comparator.comparingDouble(Fit::energy)).limit(most).map(Fit::chain).toList();
 	}
 }

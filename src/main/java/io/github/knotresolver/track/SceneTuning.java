@@ -747,6 +747,33 @@ final class SceneTuning {
 	/** [strands²] ... and what is cheaper by this is kept. Why: the noise of a fit's energy. */
 	static final double BOTH_BETTER = 0.1;
 
+	/**
+	 * [share] So much of its bending a track pays for in each frame. Why: it lies in ten frames or
+	 * more.
+	 */
+	static final double BENT_ONCE = 0.1;
+
+	/**
+	 * [px] A piece before a held end that buckles is about so long. Why: in actin's smallest rings
+	 * half a turn is 8 px, and what is longer than 24 buckles in more than one place.
+	 */
+	static final double HELD_PIECE = 14;
+
+	/** [factor] It stands out from its chord at most so much farther. Why: that of two frames' push. */
+	static final double HELD_STRETCH = 8;
+
+	/**
+	 * [share] An end that moves by less than this part of what the filament slides is held. Why:
+	 * half-way between an end that stays and one that slides along.
+	 */
+	static final double HELD_SHARE = 0.5;
+
+	/** [iterations] How far, is found by halving. Why: to a hundredth of a pixel. */
+	static final int HELD_HALVINGS = 14;
+
+	/** [shapes] So many shapes with a held end are fitted. Why: to either side. */
+	static final int HELD_FITTED = 2;
+
 	/** [frames] Fewer frames do not tell what lies still. Why: a filament may rest for as long. */
 	static final int STILL_LEAST = 10;
 
