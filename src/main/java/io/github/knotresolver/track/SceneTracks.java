@@ -12,7 +12,6 @@ import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.geometry.RobustStatistics;
-import io.github.knotresolver.model.AnchorChoice;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.model.Settings.AnchorChoice;
