@@ -59,6 +59,14 @@ final class BrightnessProfile {
 		return false;
 	}
 
+	/**
+	 * @param brightness relative brightness at equal spacing
+	 * @return whether an end of it is so bright that something else must lie there
+	 */
+	static boolean hasBrightEnd(final double[] brightness) {
+		return Math.max(brightness[0], brightness[brightness.length - 1]) > FitTuning.BRIGHT_END;
+	}
+
 	private double[] estimate() {
 		final double weight = FitTuning.PROFILE_HOLD * examples.size();
 		final double[] even = evenKnots();

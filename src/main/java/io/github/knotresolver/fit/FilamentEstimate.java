@@ -11,16 +11,18 @@ import io.github.knotresolver.geometry.Point;
  * @param length of the filament in pixels
  * @param lengthError standard error of the length in pixels
  * @param fixedEnd the clamped end in pixels
+ * @param guessed whether the length is a guess: where the light of its ends ends did not settle, or
+ *          one of them is far brighter than the filament
  */
 public record FilamentEstimate(LineModel model, double amplitude, double length, double lengthError,
-	Point fixedEnd) {
+	Point fixedEnd, boolean guessed) {
 
 	/**
 	 * @param told the length in pixels, which is known
 	 * @return the same with that length
 	 */
 	public FilamentEstimate withLength(final double told) {
-		return withLength(told, Double.NaN);
+		return new FilamentEstimate(model, amplitude, told, Double.NaN, fixedEnd, false);
 	}
 
 	/**
@@ -29,7 +31,7 @@ public record FilamentEstimate(LineModel model, double amplitude, double length,
 	 * @return the same with that length
 	 */
 	public FilamentEstimate withLength(final double other, final double error) {
-		return new FilamentEstimate(model, amplitude, other, error, fixedEnd);
+		return new FilamentEstimate(model, amplitude, other, error, fixedEnd, guessed);
 	}
 
 	/**
@@ -37,6 +39,6 @@ public record FilamentEstimate(LineModel model, double amplitude, double length,
 	 * @return the same with that fixed end
 	 */
 	public FilamentEstimate withFixedEnd(final Point end) {
-		return new FilamentEstimate(model, amplitude, length, lengthError, end);
+		return new FilamentEstimate(model, amplitude, length, lengthError, end, guessed);
 	}
 }

@@ -191,8 +191,12 @@ public final class FilamentEstimator {
 		}
 	}
 
-	/** A line and the curves that were fitted with it. */
-	private record Learned(List<Example> examples, LineEstimate line) {
+	/** A line and the curves that were fitted with it; whether their ends are a guess. */
+	private record Learned(List<Example> examples, LineEstimate line, boolean guessed) {
+
+		Learned(final List<Example> examples, final LineEstimate line) {
+			this(examples, line, false);
+		}
 
 		boolean isLine() {
 			return FilamentEstimator.isLine(line);
@@ -215,7 +219,7 @@ public final class FilamentEstimator {
 		}
 
 		FilamentEstimate summary() {
-			return FilamentEstimator.summary(examples, line);
+			return FilamentEstimator.summary(examples, line, guessed);
 		}
 	}
 
@@ -248,8 +252,7 @@ public final class FilamentEstimator {
 	}
 
 	/** The same frames with the first way through each. */
-	private static List<Example> along(final List<Example> examples,
-		final List<List<Chain>> ways) {
+	private static List<Example> along(final List<Example> examples, final List<List<Chain>> ways) {
 		return IntStream.range(0, ways.size())
 			.mapToObj(i -> new Example(examples.get(i).frame(), ways.get(i).get(0))).toList();
 	}
@@ -257,7 +260,8 @@ public final class FilamentEstimator {
 	/**
 	 * The same with what the brightness is along the filament, if that is noticeable. Where the
 	 * filament would be all but dark and bright again before its end, what lies beyond is something
-	 * else: curves that followed it there are taken back.
+	 * else: curves that followed it there are taken back. Where the ends do not settle, they are a
+	 * guess.
 	 */
 	private static Learned evenOrNot(final Learned first, final Fitting fitting) {
 		List<Example> examples = first.examples;
@@ -266,18 +270,20 @@ public final class FilamentEstimator {
 			final List<Example> grown = fitting.towardsLight(examples, line);
 			final double[] brightness = BrightnessProfile.estimate(grown, line);
 			if (brightness.length == 1)
-				break;
+				return new Learned(examples, line);
 			if (BrightnessProfile.isBroken(brightness))
-				return new Learned(first.examples, first.line.withModel(first.line.model()
-					.withBrightness(BrightnessProfile.estimate(first.examples, first.line))));
+				return new Learned(first.examples,
+					first.line.withModel(first.line.model()
+						.withBrightness(BrightnessProfile.estimate(first.examples, first.line))),
+					true);
 			line = line.withModel(line.model().withBrightness(brightness));
 			final double before = usualLength(examples);
 			examples = fitting.again(grown, line, false);
 			if (round + 1 >= FitTuning.FEWEST_PROFILE_ROUNDS
 				&& Math.abs(usualLength(examples) / before - 1) < FitTuning.PROFILE_SETTLED)
-				break;
+				return new Learned(examples, line, BrightnessProfile.hasBrightEnd(brightness));
 		}
-		return new Learned(examples, line);
+		return new Learned(examples, line, true);
 	}
 
 	private static boolean isLine(final LineEstimate line) {
@@ -323,7 +329,8 @@ public final class FilamentEstimator {
 			.fit(start, Optional.empty()).chain();
 	}
 
-	private static FilamentEstimate summary(final List<Example> examples, final LineEstimate line) {
+	private static FilamentEstimate summary(final List<Example> examples, final LineEstimate line,
+		final boolean guessed) {
 		final double[] lengths = examples.stream().mapToDouble(e -> e.chain().length()).toArray();
 		final double middle = RobustStatistics.median(lengths);
 		final double[] good = Arrays.stream(lengths)
@@ -338,7 +345,8 @@ public final class FilamentEstimator {
 			.median(examples.stream().mapToDouble(e -> e.chain().start().x()).toArray());
 		final double y = RobustStatistics
 			.median(examples.stream().mapToDouble(e -> e.chain().start().y()).toArray());
-		return new FilamentEstimate(line.model(), line.amplitude(), length, error, new Point(x, y));
+		return new FilamentEstimate(line.model(), line.amplitude(), length, error, new Point(x, y),
+			guessed);
 	}
 
 	/**

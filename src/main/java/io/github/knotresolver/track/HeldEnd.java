@@ -81,9 +81,8 @@ final class HeldEnd {
 	private static List<Point[]> bent(final Point[] rest, final double wanted) {
 		final List<Point[]> all = new ArrayList<>();
 		final double length = length(rest);
-		add(all, s -> stretched(rest, s), length < wanted ? 1 : 0, length < wanted
-			? SceneTuning.HELD_STRETCH
-			: 1, wanted);
+		add(all, s -> stretched(rest, s), length < wanted ? 1 : 0,
+			length < wanted ? SceneTuning.HELD_STRETCH : 1, wanted);
 		if (length < wanted)
 			for (final int side : new int[]{1, -1})
 				add(all, a -> bulged(rest, side * a), 0, wanted, wanted);

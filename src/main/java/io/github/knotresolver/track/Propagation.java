@@ -154,7 +154,7 @@ final class Propagation {
 			for (final Chain start : starts)
 				fits.add(fitter.fit(start, Optional.of(heading.orElse(here)),
 					cheapest + TrackTuning.HOPELESS));
-			for (final Chain start : h == beam.get(0) ? wound.of(here, fitter) : List.<Chain> of())
+			for (final Chain start : h == beam.get(0) ? wound.of(here, fitter) : List.<Chain>of())
 				fits.add(fitter.fit(start, Optional.empty(), cheapest + TrackTuning.HOPELESS));
 			cheapest = Math.min(cheapest, cheapest(fits));
 			for (final Fit fit : fits)

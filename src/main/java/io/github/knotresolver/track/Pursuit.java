@@ -167,8 +167,7 @@ final class Pursuit {
 	}
 
 	/** The cheapest few that are not much dearer than what is usual. */
-	private static List<Chain> promising(final List<Fit> fits, final double usual,
-		final int most) {
+	private static List<Chain> promising(final List<Fit> fits, final double usual, final int most) {
 		return fits.stream().filter(f -> f.energy() < usual + SceneTuning.PURSUIT_PROMISING)
 			.sorted(Comparator.comparingDouble(Fit::energy)).limit(most).map(Fit::chain).toList();
 	}

@@ -173,4 +173,11 @@ class FilamentEstimatorTest {
 		assertFalse(BrightnessProfile.isBroken(new double[]{0.8, 1.3, 0.5, 1.2, 0.6, 1}));
 		assertFalse(BrightnessProfile.isBroken(new double[]{1}));
 	}
+
+	@Test
+	void anEndThatIsFarBrighterIsABead() {
+		assertTrue(BrightnessProfile.hasBrightEnd(new double[]{1.9, 1.3, 0.8, 1, 1}));
+		assertTrue(BrightnessProfile.hasBrightEnd(new double[]{1, 1, 1.7}));
+		assertFalse(BrightnessProfile.hasBrightEnd(new double[]{1.2, 1.9, 0.2}));
+	}
 }

@@ -70,10 +70,8 @@ class FilamentEndsTest {
 		final List<Chain> chains = new ArrayList<>();
 		for (int t = 0; t < 5; t++) {
 			final double y = t % 2 == 0 ? 50 : 51;
-			chains.add(Chain.inScene(
-				Polyline.of(new double[]{20, 30 - t, 40, 160 - 13 * t},
-					new double[]{y, 50 - 6 * t, 50, 50}),
-				160));
+			chains.add(Chain.inScene(Polyline.of(new double[]{20, 30 - t, 40, 160 - 13 * t},
+				new double[]{y, 50 - 6 * t, 50, 50}), 160));
 		}
 		final FilamentEnds ends = FilamentEnds.of(chains, AnchorChoice.AUTO);
 		assertTrue(ends.clamped());

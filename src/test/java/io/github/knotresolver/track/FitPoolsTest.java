@@ -27,7 +27,7 @@ class FitPoolsTest {
 
 	private static FitPools with(final double... energies) {
 		final FilamentEstimate estimate = new FilamentEstimate(
-			LineModel.uniform(LineModel.Kind.ADDITIVE, 1.5, 1), 1, 50, 0.1, new Point(0, 0));
+			LineModel.uniform(LineModel.Kind.ADDITIVE, 1.5, 1), 1, 50, 0.1, new Point(0, 0), false);
 		return new FitPools(List.of(), List.of(),
 			new FilamentCourse(estimate, AnchorPath.still(new Point(0, 0), energies.length),
 				LengthCourse.constant(50, energies.length), NOISE, 1),

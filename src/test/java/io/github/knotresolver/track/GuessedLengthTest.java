@@ -10,7 +10,9 @@ import java.util.Optional;
 
 import org.junit.jupiter.api.Test;
 
+import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
@@ -28,7 +30,7 @@ class GuessedLengthTest {
 		frames.set(4, Observation.without(5, FrameStatus.LOST, "Nothing."));
 		frames.set(7, new Observation(8, FrameStatus.CORRECTED, "Given by the user.",
 			frames.get(7).contour(), 0, 1, 0, 1));
-		final List<Observation> doubted = GuessedLength.doubted(frames, UNEVEN);
+		final List<Observation> doubted = GuessedLength.doubted(frames, estimate(UNEVEN, false));
 		for (int t = 0; t < 20; t++) {
 			assertEquals(frames.get(t).contour(), doubted.get(t).contour());
 			assertEquals(t == 4 ? Double.NaN : t == 7 ? 1 : 0.5, doubted.get(t).confidence(),
@@ -39,9 +41,21 @@ class GuessedLengthTest {
 
 	@Test
 	void anEvenFilamentOrOneThatIsSeenToItsTipHasNone() {
-		assertEquals(frames(20, 0), GuessedLength.doubted(frames(20, 0), EVEN));
-		assertEquals(frames(12, 8), GuessedLength.doubted(frames(12, 8), UNEVEN));
-		assertTrue(GuessedLength.doubted(List.of(), UNEVEN).isEmpty());
+		assertEquals(frames(20, 0), GuessedLength.doubted(frames(20, 0), estimate(EVEN, false)));
+		assertEquals(frames(12, 8), GuessedLength.doubted(frames(12, 8), estimate(UNEVEN, false)));
+		assertTrue(GuessedLength.doubted(List.of(), estimate(UNEVEN, false)).isEmpty());
+	}
+
+	@Test
+	void whereTheLightDoesNotSayWhereItEndsItHasOneToo() {
+		for (final Observation o : GuessedLength.doubted(frames(3, 9), estimate(EVEN, true))) {
+			assertEquals(0.5, o.confidence());
+			assertTrue(o.reason().contains("where the filament ends"));
+		}
+	}
+
+	private static FilamentEstimate estimate(final LineModel model, final boolean guessed) {
+		return new FilamentEstimate(model, 1, 100, 0.1, new Point(30, 30), guessed);
 	}
 
 	/** Rings of one and a half turns, then arcs of half a turn. */

@@ -54,8 +54,8 @@ class HeldEndTest {
 	void whatIsStraightBucklesToEitherSide() {
 		final Chain before = hook(1e6);
 		final List<Double> sides = HeldEnd.shapes(before, SPEED).stream()
-			.filter(c -> isHeldAtLast(c, before))
-			.map(c -> c.polyline().point(LINKS - 4).y()).toList();
+			.filter(c -> isHeldAtLast(c, before)).map(c -> c.polyline().point(LINKS - 4).y())
+			.toList();
 		assertTrue(sides.stream().anyMatch(y -> y > 1), sides.toString());
 		assertTrue(sides.stream().anyMatch(y -> y < -1), sides.toString());
 	}

@@ -51,7 +51,7 @@ class PropagationTest {
 
 	private Propagation.Frames frames() {
 		final FilamentEstimate estimate = new FilamentEstimate(LINE, 120, 90, 0.1,
-			truth.get(0).start());
+			truth.get(0).start(), false);
 		return new Propagation.Frames(
 			new FilamentCourse(estimate, AnchorPath.still(truth.get(0).start(), FRAMES),
 				LengthCourse.constant(90, FRAMES), 0, 0.9),
