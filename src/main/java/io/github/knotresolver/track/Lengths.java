@@ -78,6 +78,9 @@ record Lengths(double[] whole, double longestCut, double cutShare,
 		final double middle = RobustStatistics.median(whole);
 		final double[] good = Arrays.stream(whole)
 			.filter(l -> Math.abs(l / middle - 1) < TrackTuning.WHOLE_OUTLIER).toArray();
+		// As many are far too short as are far too long: together they say nothing.
+		if (good.length == 0)
+			return estimate;
 		final double length = RobustStatistics.median(good);
 		final double spread = RobustStatistics
 			.median(Arrays.stream(good).map(l -> Math.abs(l - length)).toArray());

@@ -1,0 +1,39 @@
+package io.github.knotresolver.track;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.Optional;
+
+import org.junit.jupiter.api.Test;
+
+import io.github.knotresolver.fit.FilamentEstimate;
+import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.geometry.Point;
+
+/** What open frames settle of a length. */
+class LengthsTest {
+
+	private static final FilamentEstimate ESTIMATE = new FilamentEstimate(
+		LineModel.uniform(LineModel.Kind.ADDITIVE, 1.5, 1), 1, 150, Double.NaN, new Point(0, 0),
+		false);
+
+	private static double settled(final double... whole) {
+		return new Lengths(whole, 0, 0, Optional.empty()).settle(ESTIMATE).length();
+	}
+
+	@Test
+	void lengthsThatAgreeDecideAndOneThatDoesNotIsLeftOut() {
+		assertEquals(160, settled(158, 159, 160, 161, 162, 300), 1);
+	}
+
+	/** Their median is between them, and none is near it. */
+	@Test
+	void asManyThatAreFarTooShortAsFarTooLongSayNothing() {
+		assertEquals(150, settled(90, 91, 92, 210, 211, 212));
+	}
+
+	@Test
+	void tooFewSayNothing() {
+		assertEquals(150, settled(200));
+	}
+}
