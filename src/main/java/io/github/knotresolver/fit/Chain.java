@@ -395,15 +395,26 @@ public final class Chain {
 	 *         squared, but for full turns of the whole
 	 */
 	public double squaredTurn(final Chain other) {
+		return squaredTurn(other, 0, theta.length) / theta.length;
+	}
+
+	/**
+	 * @param other a chain with as many links
+	 * @param from index of a link
+	 * @param to index behind the last one
+	 * @return the sum of the squared differences of the directions of these links, in radians
+	 *         squared, but for full turns of the whole
+	 */
+	public double squaredTurn(final Chain other, final int from, final int to) {
 		final int middle = theta.length / 2;
 		final double full = Angles.nearest(other.theta[middle], theta[middle])
 			- other.theta[middle];
 		double sum = 0;
-		for (int i = 0; i < theta.length; i++) {
+		for (int i = from; i < to; i++) {
 			final double d = theta[i] - other.theta[i] - full;
 			sum += d * d;
 		}
-		return sum / theta.length;
+		return sum;
 	}
 
 	/**

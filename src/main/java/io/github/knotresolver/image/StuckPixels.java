@@ -3,7 +3,6 @@ package io.github.knotresolver.image;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.function.IntToDoubleFunction;
-import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.RobustStatistics;
 
@@ -17,8 +16,7 @@ public final class StuckPixels {
 	/** Of a surface that is smooth across a pixel: twice the mean of its sides, less that of its corners. */
 	private static final double SIDE = 0.5, CORNER = -0.25;
 
-	private static final int[][] SIDES = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}},
-		CORNERS = {{1, 1}, {-1, 1}, {1, -1}, {-1, -1}};
+	private static final int NEIGHBOURS = 8;
 
 	private final int width, height;
 	private final BitSet stuck;
@@ -53,21 +51,26 @@ public final class StuckPixels {
 	}
 
 	private boolean isAlone(final int at, final float[] still, final double least) {
-		final double[] around = around(at).mapToDouble(i -> still[i]).sorted().toArray();
-		final double second = around[around.length - 2], above = still[at] - second;
-		return above > least && above > ImageTuning.STUCK_ALONE * (second - around[0]);
+		double first = Double.NEGATIVE_INFINITY, second = first, darkest = Double.POSITIVE_INFINITY;
+		for (int k = 0; k <= NEIGHBOURS; k++) {
+			final int i = neighbour(at, k);
+			if (i < 0)
+				continue;
+			final double value = still[i];
+			second = Math.max(second, Math.min(first, value));
+			first = Math.max(first, value);
+			darkest = Math.min(darkest, value);
+		}
+		final double above = still[at] - second;
+		return above > least && above > ImageTuning.STUCK_ALONE * (second - darkest);
 	}
 
-	/** The neighbours that are in the picture; at least three. */
-	private IntStream around(final int at) {
-		return IntStream.concat(beside(at, SIDES), beside(at, CORNERS));
-	}
-
-	private IntStream beside(final int at, final int[][] steps) {
-		final int x = at % width, y = at / width;
-		return Arrays.stream(steps)
-			.filter(s -> x + s[0] >= 0 && x + s[0] < width && y + s[1] >= 0 && y + s[1] < height)
-			.mapToInt(s -> at + s[1] * width + s[0]);
+	/** Of a square of three by three pixels, row by row; -1 for the middle, and beyond the border. */
+	private int neighbour(final int at, final int k) {
+		final int x = at % width + k % 3 - 1, y = at / width + k / 3 - 1;
+		return k == NEIGHBOURS / 2 || x < 0 || x >= width || y < 0 || y >= height
+			? -1
+			: y * width + x;
 	}
 
 	/** @return how many there are */
@@ -93,11 +96,32 @@ public final class StuckPixels {
 	 * @return the pixel's
 	 */
 	public double filled(final int at, final IntToDoubleFunction values) {
-		final int[] left = around(at).filter(i -> !stuck.get(i)).toArray();
-		if (left.length < SIDES.length + CORNERS.length)
-			return Arrays.stream(left).mapToDouble(values).average()
-				.orElseGet(() -> values.applyAsDouble(at));
-		return SIDE * beside(at, SIDES).mapToDouble(values).sum()
-			+ CORNER * beside(at, CORNERS).mapToDouble(values).sum();
+		double sides = 0, corners = 0;
+		int left = 0;
+		for (int k = 0; k <= NEIGHBOURS; k++) {
+			final int i = neighbour(at, k);
+			if (i < 0 || stuck.get(i))
+				continue;
+			left++;
+			if (k % 2 == 0)
+				corners += values.applyAsDouble(i);
+			else
+				sides += values.applyAsDouble(i);
+		}
+		if (left == NEIGHBOURS)
+			return SIDE * sides + CORNER * corners;
+		return left == 0 ? values.applyAsDouble(at) : (sides + corners) / left;
+	}
+
+	/**
+	 * @param frame pixels of a frame, row by row
+	 * @return the same with all of them filled in; the frame itself if there are none
+	 */
+	public float[] filled(final float[] frame) {
+		if (stuck.isEmpty())
+			return frame;
+		final float[] filled = frame.clone();
+		stuck.stream().forEach(at -> filled[at] = (float) filled(at, i -> frame[i]));
+		return filled;
 	}
 }

@@ -54,11 +54,7 @@ record StillSpots(Movie movie, AppearanceFinder.Found lines, int count, int hot)
 		final StillSpots filled = hot.count() == 0 ? none : none.filled(hot, again);
 		if (frames.size() < SessionTuning.FEWEST_STILL_FRAMES)
 			return filled;
-		final float[] rest = still.clone();
-		for (int at = 0; at < still.length; at++)
-			if (hot.contains(at))
-				rest[at] = (float) hot.filled(at, i -> still[i]);
-		return filled.withoutSpots(rest, again);
+		return filled.withoutSpots(hot.filled(still), again);
 	}
 
 	private StillSpots filled(final StuckPixels pixels,

@@ -1,4 +1,3 @@
-
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
@@ -116,14 +115,6 @@ final class BothWays {
 		final int to = HeldEnd.isHeld(before.tip(), after.tip(), by)
 			? n - piece
 			: by < 0 ? n : n - out;
-		final int middle = n / 2;
-		final double full = 2 * Math.PI
-			* Math.rint((after.angle(middle) - slid.angle(middle)) / (2 * Math.PI));
-		double sum = 0;
-		for (int i = from; i < to; i++) {
-			final double d = after.angle(i) - slid.angle(i) - full;
-			sum += d * d;
-		}
-		return settings.memory() * before.linkLength() * sum;
+		return settings.memory() * before.linkLength() * after.squaredTurn(slid, from, to);
 	}
 }
