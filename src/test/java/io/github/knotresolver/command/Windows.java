@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 import javax.swing.AbstractButton;
@@ -51,7 +52,8 @@ final class Windows {
 		await("dialog " + title + " " + List.of(words), () -> {
 			found.clear();
 			dialogs().filter(d -> title.equals(d.getTitle()))
-				.filter(d -> Arrays.stream(words).allMatch(text(d)::contains)).forEach(found::add);
+				.filter(d -> Arrays.stream(words).allMatch(text(d)::contains))
+				.filter(Windows::isWaitedFor).forEach(found::add);
 			return !found.isEmpty();
 		});
 		return found.get(0);
@@ -61,7 +63,8 @@ final class Windows {
 	static String message(final String sentence) throws Exception {
 		final List<Dialog> found = new ArrayList<>();
 		await("message '" + sentence + "'", () -> {
-			dialogs().filter(d -> text(d).contains(sentence)).forEach(found::add);
+			dialogs().filter(d -> text(d).contains(sentence)).filter(Windows::isWaitedFor)
+				.forEach(found::add);
 			return !found.isEmpty();
 		});
 		final String text = text(found.get(0)).strip();
@@ -85,6 +88,17 @@ final class Windows {
 		} catch (final InterruptedException | InvocationTargetException e) {
 			throw new IllegalStateException(e);
 		}
+	}
+
+	/**
+	 * A modal dialog is seen before the thread that shows it waits for its end; if it is disposed in
+	 * between, that thread waits without end.
+	 */
+	private static boolean isWaitedFor(final Dialog dialog) {
+		return !dialog.isModal() || Thread.getAllStackTraces().values().stream()
+			.anyMatch(s -> Arrays.stream(s).skip(1)
+				.anyMatch(f -> f.getClassName().equals("java.awt.WaitDispatchSupport")
+					&& f.getMethodName().equals("enter")));
 	}
 
 	static Stream<Dialog> dialogs() {
@@ -249,8 +263,15 @@ final class Windows {
 		while (!condition.call()) {
 			if (System.currentTimeMillis() > end)
 				throw new AssertionError("Waited in vain for " + what + "; there are "
-					+ dialogs().map(d -> d.getTitle() + ": " + text(d)).toList() + ".");
+					+ dialogs().map(d -> d.getTitle() + ": " + text(d)).toList() + "." + threads());
 			Thread.sleep(20);
 		}
+	}
+
+	/** Where all threads are, a line each. */
+	private static String threads() {
+		return Thread.getAllStackTraces().entrySet().stream()
+			.map(t -> "\n" + t.getKey().getName() + ": " + Arrays.toString(t.getValue()))
+			.collect(Collectors.joining());
 	}
 }
