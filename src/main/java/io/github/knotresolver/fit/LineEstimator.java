@@ -74,22 +74,24 @@ public final class LineEstimator {
 	 * @param background of the neighbourhood of the curves, in the same units
 	 * @param residual mean squared residual of the neighbourhood, in units of the
 	 *          amplitude squared
-	 * @param unexplained the same as a share of the variance of the neighbourhood's pixels, by
+	 * @param noise what of it is the frames' noise, which no line explains
+	 * @param unexplained the residual as a share of the variance of the neighbourhood's pixels, by
 	 *          which lines of different amplitudes can be compared
 	 */
 	public record LineEstimate(LineModel model, double amplitude, double background,
-		double residual, double unexplained) {
+		double residual, double noise, double unexplained) {
 
 		/**
 		 * By which lines are compared. Where pixels were cut off, amplitudes differ so much that
 		 * residuals in their unit do not tell; elsewhere that unit keeps a line whose brightness
-		 * falls along it as narrow as it is.
+		 * falls along it as narrow as it is. The noise is taken off, which is the
+		 * less in that unit, the brighter the line is taken for.
 		 *
 		 * @param examples to which the line was fitted
 		 * @return the lower, the better
 		 */
 		double misfit(final List<Example> examples) {
-			return isClipped(examples) ? unexplained : residual;
+			return isClipped(examples) ? unexplained : residual - noise;
 		}
 
 		/** @return whether what was learned is brighter than its background, and no wider than lines are */
@@ -116,7 +118,7 @@ public final class LineEstimator {
 		}
 
 		LineEstimate withModel(final LineModel other) {
-			return new LineEstimate(other, amplitude, background, residual, unexplained);
+			return new LineEstimate(other, amplitude, background, residual, noise, unexplained);
 		}
 	}
 
@@ -176,7 +178,7 @@ public final class LineEstimator {
 			.map(e -> ChainPixels.draw(e.frame(), model, e.chains(), e.around().patch())).toList();
 		// Where the line as it is known is cut off, pixels do not say how bright it is.
 		LineEstimate line = fit(examples, pictures,
-			new LineEstimate(model, 1, 0, Double.NaN, Double.NaN));
+			new LineEstimate(model, 1, 0, Double.NaN, Double.NaN, Double.NaN));
 		if (model.kind() == LineModel.Kind.ADDITIVE && isClipped(examples))
 			for (int round = 0; round < CLIPPED_ROUNDS && line.isVisible(); round++)
 				line = fit(examples, pictures, line);
@@ -192,11 +194,12 @@ public final class LineEstimator {
 		final LineEstimate known) {
 		final boolean believes = known.model.kind() != LineModel.Kind.ADDITIVE;
 		double all = 0, sumAll = 0, squareAll = 0, n = 0, sumM = 0, sumI = 0, sumMM = 0, sumMI = 0,
-			sumII = 0;
+			sumII = 0, noise = 0;
 		for (int k = 0; k < pictures.size(); k++) {
 			final Around around = examples.get(k).around;
 			final double[] pixels = around.part.pixels();
 			final double[] picture = pictures.get(k);
+			final double noisy = examples.get(k).frame.noise() * examples.get(k).frame.noise();
 			for (int i = 0; i < picture.length; i++)
 				if (around.near[i]) {
 					all++;
@@ -205,6 +208,7 @@ public final class LineEstimator {
 					if (!believes && known.isHidden(around.part, i, pixels[i], picture[i]))
 						continue;
 					n++;
+					noise += noisy;
 					sumM += picture[i];
 					sumI += pixels[i];
 					sumMM += picture[i] * picture[i];
@@ -216,6 +220,7 @@ public final class LineEstimator {
 		final double amplitude = covariance / variance;
 		final double rest = sumII - sumI * sumI / n - amplitude * covariance;
 		return new LineEstimate(known.model, amplitude, (sumI - amplitude * sumM) / n,
-			rest / all / (amplitude * amplitude), rest / (squareAll - sumAll * sumAll / all));
+			rest / all / (amplitude * amplitude), noise / all / (amplitude * amplitude),
+			rest / (squareAll - sumAll * sumAll / all));
 	}
 }

@@ -142,7 +142,7 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 	private static LineEstimate learn(final List<FrameView> frames, final LineModel.Kind kind,
 		final Progress progress) {
 		LineEstimate line = new LineEstimate(LineModel.uniform(kind, SceneTuning.FIRST_SIGMA, 1), 1,
-			0, 1, 1);
+			0, 1, 0, 1);
 		for (int round = 0; round < SceneTuning.LINE_ROUNDS; round++) {
 			final List<Example> examples = examples(frames, line);
 			if (examples.isEmpty())

@@ -82,7 +82,7 @@ public record DrawnMovie(Movie movie, List<Polyline> truth, LineModel model) {
 	}
 
 	/** A frame of the movie in the units of the fit. */
-	NormalizedFrame frame(final int t) {
+	public NormalizedFrame frame(final int t) {
 		final double[] pixels = Pixels.doubles(movie.frame(t));
 		return new NormalizedFrame(SIZE, SIZE, pixels).rescaled(BACKGROUND, BRIGHTNESS);
 	}

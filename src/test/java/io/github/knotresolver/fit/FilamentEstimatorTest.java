@@ -74,6 +74,26 @@ class FilamentEstimatorTest {
 		assertEquals(0, estimate.fixedEnd().distanceTo(new Point(22.4, 55.3)), 1.8);
 	}
 
+	/**
+	 * Noise half as strong as the filament, in a haze of clouds several lines wide: compared in units
+	 * of its brightness, the line would be best that looks brightest.
+	 */
+	@Test
+	void inNoiseAndHazeALineIsAsWideAsItIs() {
+		final Random random = new Random(5);
+		final FilamentEstimate estimate = estimate(LineModel.uniform(LineModel.Kind.ADDITIVE, 2, 1),
+			0.5, frame -> {
+				final double[] hazy = frame.pixels().clone();
+				final double phase = 6 * random.nextDouble();
+				for (int i = 0; i < hazy.length; i++)
+					hazy[i] += 0.4 * Math.sin(i % frame.width() / 6.0 + phase)
+						* Math.sin(i / frame.width() / 6.0 - phase);
+				return new NormalizedFrame(frame.width(), frame.height(), hazy);
+			});
+		assertEquals(2, estimate.model().sigma(), 0.3);
+		assertEquals(LENGTH, estimate.length(), 0.03 * LENGTH);
+	}
+
 	@Test
 	void whatTheCameraCutsOffDoesNotShortenAFilament() {
 		final double noise = 0.05, ceiling = 0.55;
