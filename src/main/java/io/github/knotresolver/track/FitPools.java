@@ -4,12 +4,17 @@ import java.util.List;
 import java.util.Optional;
 
 import io.github.knotresolver.candidate.CandidateSet;
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.fit.FilamentEstimator;
 import io.github.knotresolver.fit.FilamentFitter;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitSettings;
 import io.github.knotresolver.fit.NormalizedFrame;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
 
 /**
  * All that was found in a movie before the user said anything: it is made once, and every
@@ -58,6 +63,36 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 
 	private int links() {
 		return FilamentEstimator.links(course.estimate().length());
+	}
+
+	/**
+	 * What all frames say together of the length, each by where its light ends: where few show the
+	 * filament open, or noise or something bright beside it hides an end in these, all know it better
+	 * than the clearest. A frame in which the tip lies on the filament, or is outside, says nothing.
+	 * O(frames * length).
+	 *
+	 * @param chosen the contours that were chosen, by index of the frame
+	 * @param workers threads
+	 * @return the course with that length; empty if that is not surely another, or the length changes
+	 */
+	Optional<FilamentCourse> lengthOfAll(final List<Observation> chosen, final Workers workers) {
+		if (course.length().kind() != LengthCourse.Kind.CONSTANT)
+			return Optional.empty();
+		final FilamentEstimate known = course.estimate();
+		final double[] seen = workers.map(chosen.size(),
+			t -> GuessedLength.isTipFree(chosen.get(t), known.model())
+				? freeLength(t, chosen.get(t).contour().orElseThrow())
+				: Double.NaN)
+			.stream().mapToDouble(l -> l).filter(Double::isFinite).toArray();
+		return Lengths.common(seen).filter(c -> c.isOtherThan(known.length()))
+			.map(c -> course.withEstimate(known.withLength(c.length(), c.error()))
+				.withLength(LengthCourse.constant(c.length(), chosen.size())));
+	}
+
+	private double freeLength(final int t, final Polyline contour) {
+		return fitter(t, settings.withFreeLength(true))
+			.fit(Chain.along(contour, links(), contour.length()), Optional.empty()).chain()
+			.length();
 	}
 
 	/** @return the fits of a frame that are as the user said; further ones if none at hand is */

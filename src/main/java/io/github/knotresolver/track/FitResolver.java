@@ -76,9 +76,9 @@ public final class FitResolver {
 	public Optional<FitSolver> learn(final List<FrameView> frames, final Point fixedEnd,
 		final OptionalDouble length) {
 		return look(frames, fixedEnd, length)
-			.map(seen -> length.isEmpty() && lengths == LengthModel.AUTO
-				? withLengthThatHolds(seen)
-				: new FitSolver(pools(seen)));
+			.map(seen -> length.isPresent() || lengths == LengthModel.FREE
+				? new FitSolver(pools(seen))
+				: withLengthThatHolds(seen));
 	}
 
 	/**
@@ -89,13 +89,21 @@ public final class FitResolver {
 	private FitSolver withLengthThatHolds(final Seen seen) {
 		final FitSolver first = new FitSolver(pools(seen));
 		final FitTrellis.Solved solved = first.solved(progress);
-		if (solved.elsewhere() == 0)
-			return first;
+		if (solved.elsewhere() == 0 || lengths != LengthModel.AUTO)
+			return withLengthOfAll(seen, first);
 		final FitResolver free = new FitResolver(generator, kinds, LengthModel.FREE, workers,
 			progress);
 		return Lengths.found(new FitSolver(free.pools(seen)).solved(progress), seen.course)
 			.map(course -> new FitSolver(pools(seen.withCourse(course))))
 			.filter(again -> again.solved(progress).price() < solved.price() - TrackTuning.HOPELESS)
+			.orElseGet(() -> withLengthOfAll(seen, first));
+	}
+
+	/** The clearest frames may all be too long or too short; all frames together know better. */
+	private FitSolver withLengthOfAll(final Seen seen, final FitSolver first) {
+		return first.lengthOfAll(workers, progress)
+			.map(course -> new FitSolver(pools(seen.withCourse(course))))
+			.filter(again -> again.solved(progress).price() < first.solved(progress).price())
 			.orElse(first);
 	}
 

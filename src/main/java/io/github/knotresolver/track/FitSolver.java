@@ -69,6 +69,11 @@ public final class FitSolver {
 		return solved(progress).evidence();
 	}
 
+	/** The course with the length that all frames say together; empty if it is not surely another. */
+	Optional<FilamentCourse> lengthOfAll(final Workers workers, final Progress progress) {
+		return pools.lengthOfAll(solved(progress).frames(), workers);
+	}
+
 	/** The movie if the user says nothing. */
 	FitTrellis.Solved solved(final Progress progress) {
 		return solved(new TreeMap<>(), progress);

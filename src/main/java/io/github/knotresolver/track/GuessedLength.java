@@ -37,15 +37,20 @@ final class GuessedLength {
 		final LineModel model = estimate.model();
 		if (model.brightness().length == 1)
 			return frames;
-		final double width = LineAppearance.FULL_WIDTH * model.sigma();
 		final List<Polyline> contours = frames.stream().flatMap(f -> f.contour().stream()).toList();
-		final long hidden = contours.stream().filter(c -> isHidden(c, width)).count();
+		final long hidden = contours.stream().filter(c -> isHidden(c, model)).count();
 		return hidden <= TrackTuning.NEARLY_ALL * contours.size()
 			? frames
 			: frames.stream().map(o -> o.atMost(TrackTuning.GUESSED, WHY)).toList();
 	}
 
-	private static boolean isHidden(final Polyline contour, final double width) {
+	/** Whether a frame shows the tip, and it does not lie on the filament or close beside it. */
+	static boolean isTipFree(final Observation frame, final LineModel model) {
+		return frame.visible() == 1 && frame.contour().filter(c -> !isHidden(c, model)).isPresent();
+	}
+
+	private static boolean isHidden(final Polyline contour, final LineModel model) {
+		final double width = LineAppearance.FULL_WIDTH * model.sigma();
 		final double before = contour.length() - TrackTuning.TAIL * width;
 		return before > 0 && contour.head(before).distanceTo(contour.last()) < width;
 	}

@@ -75,15 +75,36 @@ record Lengths(double[] whole, double longestCut, double cutShare,
 			return estimate;
 		if (whole.length < TrackTuning.WHOLE_FRAMES)
 			return estimate.withLength(Math.max(estimate.length(), longestCut));
-		final double middle = RobustStatistics.median(whole);
-		final double[] good = Arrays.stream(whole)
+		return common(whole).map(c -> estimate.withLength(c.length, c.error)).orElse(estimate);
+	}
+
+	/**
+	 * What lengths say together.
+	 *
+	 * @param length in pixels
+	 * @param error its standard error in pixels
+	 */
+	record Common(double length, double error) {
+
+		/** Whether it is surely and noticeably not this one. */
+		boolean isOtherThan(final double known) {
+			return Math.abs(length - known) > Math.max(TrackTuning.SURELY_OTHER * error,
+				TrackTuning.NOTICEABLE_LENGTH * known);
+		}
+	}
+
+	/** Empty if they are too few, or as many are far too short as are far too long. */
+	static Optional<Common> common(final double[] seen) {
+		if (seen.length < TrackTuning.WHOLE_FRAMES)
+			return Optional.empty();
+		final double middle = RobustStatistics.median(seen);
+		final double[] good = Arrays.stream(seen)
 			.filter(l -> Math.abs(l / middle - 1) < TrackTuning.WHOLE_OUTLIER).toArray();
-		// As many are far too short as are far too long: together they say nothing.
 		if (good.length == 0)
-			return estimate;
+			return Optional.empty();
 		final double length = RobustStatistics.median(good);
 		final double spread = RobustStatistics
 			.median(Arrays.stream(good).map(l -> Math.abs(l - length)).toArray());
-		return estimate.withLength(length, MEDIAN_ERROR * spread / Math.sqrt(good.length));
+		return Optional.of(new Common(length, MEDIAN_ERROR * spread / Math.sqrt(good.length)));
 	}
 }

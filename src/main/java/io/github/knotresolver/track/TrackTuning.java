@@ -329,6 +329,15 @@ final class TrackTuning {
 	static final double CUT_FRAMES = 0.1;
 
 	/**
+	 * [standard errors] A length that all frames say together is another one if it is so far off.
+	 * Why: by chance it is once in some hundred movies.
+	 */
+	static final double SURELY_OTHER = 3;
+
+	/** [share] ... and by at least so much. Why: the line model is no better. */
+	static final double NOTICEABLE_LENGTH = 0.003;
+
+	/**
 	 * [share] What agrees within this with the median is used. Why: fits of open frames agree to
 	 * less.
 	 */

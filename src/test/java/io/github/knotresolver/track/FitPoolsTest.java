@@ -7,17 +7,24 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import io.github.knotresolver.Drawn;
 import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.DrawnMovie;
 import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitSettings;
 import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.model.FrameStatus;
+import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.track.OpenFrames.Seen;
 
 /** Whether a fixed end moves, where hardly any frame shows it. */
@@ -63,5 +70,41 @@ class FitPoolsTest {
 		assertTrue(moving.isDoubtful(open(2)));
 		assertFalse(moving.isDoubtful(open(12)));
 		assertFalse(AnchorPath.still(new Point(3, 3), 20).isDoubtful(open(2)));
+	}
+
+	private static final double LENGTH = 80;
+
+	/** What all frames say, if the contours were chosen with a length that is so many times the true one. */
+	private static Optional<FilamentCourse> ofAll(final double times) {
+		final LineModel line = LineModel.uniform(LineModel.Kind.ADDITIVE, 1.5, 1);
+		final List<Chain> truth = DrawnMovie.waves(9, LENGTH, 1.2);
+		final DrawnMovie drawn = DrawnMovie.draw(truth, List.of(), line, 0.05, 4);
+		final int frames = truth.size();
+		final FilamentEstimate estimate = new FilamentEstimate(line, 1, times * LENGTH, Double.NaN,
+			truth.get(0).start(), false);
+		final FitPools pools = new FitPools(List.of(),
+			IntStream.range(0, frames).mapToObj(drawn::frame).toList(),
+			new FilamentCourse(estimate, AnchorPath.still(truth.get(0).start(), frames),
+				LengthCourse.constant(estimate.length(), frames), NOISE, 1),
+			List.of(), List.of(), FitSettings.DEFAULT);
+		return pools.lengthOfAll(IntStream.range(0, frames)
+			.mapToObj(t -> new Observation(t + 1, FrameStatus.RESOLVED, "",
+				Optional.of(truth.get(t).resized(estimate.length()).contour()), 0, 1, 0, 1))
+			.toList(), Workers.HERE);
+	}
+
+	@ParameterizedTest
+	@ValueSource(doubles = {0.96, 1.03})
+	void allFramesTogetherSayHowLongAFilamentIs(final double times) {
+		final FilamentCourse course = ofAll(times).orElseThrow();
+		final FilamentEstimate settled = course.estimate();
+		assertEquals(LENGTH, settled.length(), 0.004 * LENGTH);
+		assertEquals(settled.length(), course.length().of(4));
+		assertTrue(settled.lengthError() < 0.003 * LENGTH, "error " + settled.lengthError());
+	}
+
+	@Test
+	void aLengthThatIsRightStays() {
+		assertEquals(Optional.empty(), ofAll(1));
 	}
 }

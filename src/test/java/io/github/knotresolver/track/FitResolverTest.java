@@ -83,6 +83,20 @@ class FitResolverTest {
 		assertFollows(truth, resolve(frames, only(seen), truth.get(0), Map.of()));
 	}
 
+	/** In the three frames that show it clearly something bright lies beyond its tip. */
+	@Test
+	void allFramesTellTheLengthWhereTheClearestAreTooLong() {
+		final List<Chain> truth = DrawnMovie.waves(14, LENGTH, 1.2), drawn = new ArrayList<>(truth);
+		for (int t = 0; t < 3; t++)
+			drawn.set(t, truth.get(t).resized(1.04 * LENGTH));
+		final List<FrameView> frames = DrawnFrames.of(drawn, LINE, t -> 1);
+		final List<Observation> found = resolve(frames, only(frames.subList(0, 3)), truth.get(0),
+			Map.of());
+		for (int t = 3; t < truth.size(); t++)
+			assertEquals(LENGTH, found.get(t).contour().orElseThrow().length(), 0.007 * LENGTH,
+				"frame " + t);
+	}
+
 	@ParameterizedTest
 	@ValueSource(doubles = {0.15, 0.06, -0.08})
 	void aFilamentThatFadesOrBrightensIsFollowedToTheEnd(final double rate) {

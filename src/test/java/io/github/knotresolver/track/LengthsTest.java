@@ -1,6 +1,8 @@
 package io.github.knotresolver.track;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Optional;
 
@@ -35,5 +37,13 @@ class LengthsTest {
 	@Test
 	void tooFewSayNothing() {
 		assertEquals(150, settled(200));
+	}
+
+	@Test
+	void aLengthIsAnotherIfItIsSurelyAndNoticeablyOff() {
+		assertFalse(new Lengths.Common(152, 1).isOtherThan(150));
+		assertFalse(new Lengths.Common(150.4, 0.1).isOtherThan(150));
+		assertTrue(new Lengths.Common(152, 0.5).isOtherThan(150));
+		assertTrue(new Lengths.Common(149, 0.1).isOtherThan(150));
 	}
 }
