@@ -3,6 +3,7 @@ package io.github.knotresolver.track;
 import java.util.List;
 import java.util.Optional;
 
+import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitQuality;
 import io.github.knotresolver.geometry.RobustStatistics;
@@ -44,17 +45,28 @@ record FitConfidence(double usualMisfit) {
 
 	/**
 	 * The most that a confidence can be: if a contour that lies elsewhere by a line's width, be it
-	 * only in part, costs the movie as much, either is right.
+	 * only in part, costs the movie as much, either is right. Of contours that run along the same
+	 * lines in another order the light tells nothing; what motion and bending tell must be more.
 	 *
 	 * @param sigma of the line in pixels
 	 * @return 0.5 to 1
 	 */
 	static double atMost(final TrellisPath path, final List<Fit> pool, final int frame,
 		final double sigma) {
-		final Fit chosen = pool.get(path.choice()[frame]);
-		final double gap = path.gap(frame,
-			v -> pool.get(v).chain().farthest(chosen.chain()) > LineAppearance.FULL_WIDTH * sigma);
-		return 1 - 0.5 * Math.exp(-gap / TrackTuning.TIE);
+		final Chain chosen = pool.get(path.choice()[frame]).chain();
+		final double width = LineAppearance.FULL_WIDTH * sigma;
+		final double elsewhere = path.gap(frame, v -> pool.get(v).chain().farthest(chosen) > width);
+		final double exchanged = path.gap(frame,
+			v -> isExchanged(pool.get(v).chain(), chosen, width));
+		return 1 - 0.5 * Math.max(Math.exp(-elsewhere / TrackTuning.TIE),
+			Math.exp(-exchanged / TrackTuning.EXCHANGED_TIE));
+	}
+
+	/** Whether a contour runs along the lines of another one, but visibly in another order. */
+	private static boolean isExchanged(final Chain other, final Chain chosen, final double width) {
+		return other.farthest(chosen) > TrackTuning.EXCHANGED_APART * width
+			&& other.isAlong(chosen, TrackTuning.EXCHANGED_ALONG * width)
+			&& chosen.isAlong(other, TrackTuning.EXCHANGED_ALONG * width);
 	}
 
 	/** A gap as a figure: 1 if there is none, falling to 0. */

@@ -11,7 +11,18 @@ import io.github.knotresolver.fit.Fit;
  */
 final class FitPool {
 
-	private final List<Fit> fits = new ArrayList<>();
+	private final List<Fit> fits;
+
+	FitPool() {
+		this(List.of());
+	}
+
+	/**
+	 * @param fits that are in it to begin with, however near to each other
+	 */
+	FitPool(final List<Fit> fits) {
+		this.fits = new ArrayList<>(fits);
+	}
 
 	/**
 	 * Adds a fit.

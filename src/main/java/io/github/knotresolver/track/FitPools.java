@@ -1,5 +1,6 @@
 package io.github.knotresolver.track;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -13,6 +14,7 @@ import io.github.knotresolver.fit.FitSettings;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.image.LineAppearance;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 
@@ -117,5 +119,53 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 	Propagation propagation(final int width, final Progress progress) {
 		return new Propagation(width, MotionPrice.learn(fits, course.anchor()), this::fitter, fits,
 			new Propagation.Frames(course, settings.freeLength()), progress);
+	}
+
+	/**
+	 * The same, and wherever two strands of a frame's likely contour may have been exchanged, the
+	 * contour on which they are.
+	 *
+	 * @param workers threads
+	 * @param progress asked whether to stop
+	 */
+	FitPools withExchanges(final Workers workers, final Progress progress) {
+		FitPools pools = this;
+		for (int round = 0; round < TrackTuning.EXCHANGE_ROUNDS; round++)
+			pools = pools.exchanged(workers, progress);
+		return pools;
+	}
+
+	private FitPools exchanged(final Workers workers, final Progress progress) {
+		final TrellisPath path = FitTrellis
+			.course(fits, course.anchor(), MotionPrice.learn(fits, course.anchor()), progress)
+			.path();
+		return new FitPools(frames, light, course, sets,
+			workers.map("Exchanging strands", progress, fits.size(),
+				t -> path.choice()[t] < 0 ? fits.get(t) : exchanged(t, path.choice()[t])),
+			settings);
+	}
+
+	private List<Fit> exchanged(final int t, final int chosen) {
+		final Fit fit = fits.get(t).get(chosen);
+		final double width = LineAppearance.FULL_WIDTH * course.estimate().model().sigma();
+		final double seen = TrackTuning.STRANDS_SEEN * width;
+		final FitProposals proposals = new FitProposals(frames.get(t), course.in(t), links(),
+			settings.freeLength());
+		final List<Fit> all = new ArrayList<>(fits.get(t));
+		for (final Polyline other : new StrandExchange(fit.chain(), width).contours()) {
+			final Chain start = proposals.start(other);
+			if (isNear(start, all, TrackTuning.STRANDS_SAME * width))
+				continue;
+			final Fit exchanged = fitter(t).fit(start, Optional.empty(),
+				fit.energy() + TrackTuning.HOPELESS);
+			if (exchanged.energy() < fit.energy() + TrackTuning.HOPELESS
+				&& !isNear(exchanged.chain(), all, seen))
+				all.add(exchanged);
+		}
+		return List.copyOf(all);
+	}
+
+	private static boolean isNear(final Chain chain, final List<Fit> fits, final double near) {
+		return fits.stream().anyMatch(f -> f.chain().farthest(chain) < near);
 	}
 }

@@ -64,7 +64,12 @@ record FitProposals(FrameView frame, FilamentEstimate estimate, int links, boole
 
 	/** The only fit of a frame for which a contour was given. */
 	List<Fit> of(final Polyline given, final FilamentFitter fitter) {
-		return List.of(fitter.fit(start(given, given.first()), Optional.empty()));
+		return List.of(fitter.fit(start(given), Optional.empty()));
+	}
+
+	/** The chain along a contour from its first point. */
+	Chain start(final Polyline contour) {
+		return start(contour, contour.first());
 	}
 
 	private Chain start(final Polyline contour, final Point from) {

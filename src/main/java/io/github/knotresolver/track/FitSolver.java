@@ -122,8 +122,8 @@ public final class FitSolver {
 		final List<List<Fit>> fits = new ArrayList<>();
 		for (int t = 0; t < pools.frames().size(); t++) {
 			final Restriction here = said.get(t);
-			final FitPool pool = new FitPool();
-			(here == null ? pools.fits().get(t) : known.get(here).left).forEach(pool::add);
+			final FitPool pool = new FitPool(
+				here == null ? pools.fits().get(t) : known.get(here).left);
 			if (here == null || here.contour().isEmpty())
 				for (final Restriction other : said.values())
 					known.get(other).elsewhere.getOrDefault(t, List.of()).stream()

@@ -9,6 +9,7 @@ import java.util.function.BiFunction;
 import java.util.stream.IntStream;
 
 import io.github.knotresolver.candidate.CandidateSet;
+import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitQuality;
 import io.github.knotresolver.fit.NormalizedFrame;
@@ -45,7 +46,7 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 	 * @param lengths of the chosen chains in pixels; NaN where there is none
 	 * @param looks at the chosen chains; empty where there is none
 	 * @param elsewhere in how many frames contours do not end where their light does, as a figure
-	 * @param price of the movie
+	 * @param price of the movie, without that of changing course
 	 */
 	record Solved(List<Observation> frames, List<Optional<FitEvidence>> evidence, double[] lengths,
 		List<Optional<FitLook>> looks, double elsewhere, double price) {
@@ -55,14 +56,9 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 	 * @param said what the user said, by index of the frame
 	 */
 	Solved solve(final Map<Integer, Restriction> said, final Progress progress) {
-		final List<double[]> prices = pools.stream()
-			.map(p -> p.stream().mapToDouble(Fit::energy).toArray()).toList();
 		final MotionPrice motion = MotionPrice.learn(pools, course.anchor());
-		final TrellisPath path = Trellis.solve(prices,
-			(t, i, u, j) -> motion.between(
-				course.anchor().carried(pools.get(t).get(i).chain(), t, u),
-				pools.get(u).get(j).chain()),
-			progress);
+		final Course ways = course(pools, course.anchor(), motion, progress);
+		final TrellisPath path = ways.path();
 		final List<Optional<FitLook>> seen = new ArrayList<>();
 		for (int t = 0; t < pools.size(); t++) {
 			progress.checkCancelled();
@@ -90,7 +86,46 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 				.mapToDouble(
 					t -> path.choice()[t] < 0 ? Double.NaN : chosen(t, path).chain().length())
 				.toArray(),
-			seen, elsewhere, path.total());
+			seen, elsewhere, ways.plain());
+	}
+
+	/**
+	 * A way through fits.
+	 *
+	 * @param path the cheapest
+	 * @param plain price of the cheapest if changing course costs nothing
+	 */
+	record Course(TrellisPath path, double plain) {
+	}
+
+	/**
+	 * The cheapest way through fits.
+	 *
+	 * @param pools the fits of every frame
+	 * @param anchor where the fixed end is
+	 * @param motion what motion costs
+	 */
+	static Course course(final List<List<Fit>> pools, final AnchorPath anchor,
+		final MotionPrice motion, final Progress progress) {
+		final List<double[]> prices = pools.stream()
+			.map(p -> p.stream().mapToDouble(Fit::energy).toArray()).toList();
+		final Trellis.EdgePrice edge = (t, i, u, j) -> motion.between(
+			anchor.carried(pools.get(t).get(i).chain(), t, u), pools.get(u).get(j).chain());
+		final TrellisPath plain = Trellis.solve(prices, edge, progress);
+		final Inertia inertia = Inertia
+			.learn(
+				IntStream.range(0, pools.size())
+					.mapToObj(t -> plain.choice()[t] < 0
+						? Optional.<Chain>empty()
+						: Optional.of(pools.get(t).get(plain.choice()[t]).chain()))
+					.toList(),
+				anchor);
+		return new Course(
+			SmoothTrellis.solve(plain, prices, edge,
+				(t, i, j, k) -> inertia.price(t + 1, pools.get(t).get(i).chain(),
+					pools.get(t + 1).get(j).chain(), pools.get(t + 2).get(k).chain()),
+				progress),
+			plain.total());
 	}
 
 	private Observation tracked(final int t, final TrellisPath path,

@@ -66,7 +66,8 @@ record MotionPrice(double usualMotion, double usualTurn) {
 		return price(a.distance(b) / usualMotion) + price(a.turn(b) / usualTurn);
 	}
 
-	private static double price(final double multiple) {
+	/** The price of something that is so many times as much as usual. */
+	static double price(final double multiple) {
 		return TrackTuning.USUAL_MOTION * multiple
 			+ TrackTuning.FURTHER_MOTION * Math.max(0, multiple - 1);
 	}

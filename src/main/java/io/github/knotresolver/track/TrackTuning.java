@@ -786,4 +786,73 @@ final class TrackTuning {
 
 	private TrackTuning() {
 	}
+
+	/**
+	 * [line widths] Parts of a filament are two strands if at least so much of it lies between
+	 * them. Why: within a bend it is near itself, too.
+	 */
+	static final double STRANDS_APART = 4;
+
+	/**
+	 * [ratio] Two strands from one contact to the next are equally long to this. Why: they run side
+	 * by side, or else the length would not allow to exchange them.
+	 */
+	static final double STRANDS_ALIKE = 0.15;
+
+	/**
+	 * [line widths] Strands that come no farther apart than this are one. Why: which is which is
+	 * not seen.
+	 */
+	static final double STRANDS_SEEN = 0.5;
+
+	/** [line widths] A start that is so near to a fit is no other one. Why: it ends in that fit. */
+	static final double STRANDS_SAME = 0.25;
+
+	/**
+	 * [line widths] Strands that come farther apart than this are not exchanged. Why: they are
+	 * segments of their own, and the graph proposes both ways.
+	 */
+	static final double STRANDS_NEAR = 5;
+
+	/** [px] The corner at an exchange is smoothed by this. Why: chains do not bend by an angle. */
+	static final double STRANDS_SMOOTH = 2;
+
+	/** [contours] So many exchanges are tried in a frame. Why: most have one or two. */
+	static final int EXCHANGES = 6;
+
+	/**
+	 * [rounds] So often strands are exchanged, each time from the likely contours of then. Why: of
+	 * contours with two places to exchange at there are four.
+	 */
+	static final int EXCHANGE_ROUNDS = 2;
+
+	/**
+	 * [price] Contours of a frame are out of the question if without a price of changing course no
+	 * movie with them is cheaper than this. Why: twice what one frame does not make up for.
+	 */
+	static final double COURSE_HOPELESS = 24;
+
+	/**
+	 * [px] Usual change of velocity from frame to frame is at least this. Why: so much fits of a
+	 * filament that lies still make of noise.
+	 */
+	static final double LEAST_CHANGE = 0.2;
+
+	/**
+	 * [price] Contours that run along the same lines in another order cost the same if their movies
+	 * differ by less than about this. Why: what motion costs is less sure than light.
+	 */
+	static final double EXCHANGED_TIE = 1;
+
+	/**
+	 * [line widths] ... and they differ if their points at equal arc length lie so far apart. Why:
+	 * strands of a wide line are told apart by less than its width.
+	 */
+	static final double EXCHANGED_APART = 0.6;
+
+	/**
+	 * [line widths] ... while each lies so near to the other. Why: where strands cross or touch,
+	 * fits stray by this.
+	 */
+	static final double EXCHANGED_ALONG = 0.4;
 }

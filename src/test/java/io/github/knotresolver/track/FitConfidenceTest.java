@@ -158,6 +158,24 @@ class FitConfidenceTest {
 		}
 	}
 
+	@Test
+	void theOrderOfStrandsThatCoverEachOtherMustBeSurelyCheaper() {
+		final Fit crossing = new Fit(StrandExchangeTest.coil(14, true, false), 0, 0, 1);
+		final Fit touching = new Fit(StrandExchangeTest.coil(14, false, false), 0, 0, 1);
+		final Fit aside = new Fit(crossing.chain().shifted(4, 4), 0, 0, 1);
+		final double sigma = 3.2, width = 2.355 * sigma;
+		for (final Fit other : List.of(touching, aside)) {
+			final double far = other.chain().farthest(crossing.chain());
+			assertTrue(far < width && far > 0.6 * width, "" + far);
+			for (final double dearer : new double[]{0, 1.2, 8})
+				assertEquals(other == aside ? 1 : dearer == 0 ? 0.5 : dearer < 2 ? 0.85 : 1,
+					FitConfidence.atMost(
+						new TrellisPath(new int[]{0}, new double[][]{{5, 5 + dearer}}, 5),
+						List.of(crossing, other), 0, sigma),
+					0.01, (other == aside ? "aside " : "exchanged ") + dearer);
+		}
+	}
+
 	private static Fit line(final double y) {
 		return new Fit(Chain.along(Drawn.line(0, y, 50, y), 10, 50), 0, 0, 1);
 	}

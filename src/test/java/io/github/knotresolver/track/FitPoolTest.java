@@ -33,6 +33,14 @@ class FitPoolTest {
 	}
 
 	@Test
+	void thoseThatAreInItToBeginWithAreKeptHoweverNear() {
+		final Fit first = line(0, 5), near = line(0.5, 6);
+		final FitPool pool = new FitPool(List.of(first, near));
+		assertSame(first, pool.add(line(0.1, 7)));
+		assertEquals(List.of(first, near), pool.fits());
+	}
+
+	@Test
 	void fitsThatDifferAreKeptInTheirOrder() {
 		final FitPool pool = new FitPool();
 		final Fit first = line(0, 5), second = line(3, 1), third = line(-3, 9);
