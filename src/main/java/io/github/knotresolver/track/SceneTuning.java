@@ -667,6 +667,13 @@ final class SceneTuning {
 	static final double PIECES_MOST = 0.9;
 
 	/**
+	 * [share] ... or touch in so many, and in this part of the frames one goes on as the other ends.
+	 * Why: a bend that slides through where they meet is there for a while; what is fixed at one
+	 * place with another one hardly ever points along it.
+	 */
+	static final double PIECES_ALIGNED = 0.5;
+
+	/**
 	 * [px] An end stays where two filaments exchange their other ends. Why: fits of an end scatter
 	 * by less.
 	 */
