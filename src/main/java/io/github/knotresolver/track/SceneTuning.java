@@ -650,6 +650,12 @@ final class SceneTuning {
 	static final double SEED_SOUND = 0.9;
 
 	/**
+	 * [pairs] So many of those that may be each other's halves where a pass began are tried. Why: a
+	 * mistake of one crossing makes two filaments unclear, and one or two that they meet.
+	 */
+	static final int SEED_EXCHANGES = 4;
+
+	/**
 	 * [px] Exchanged, both filaments must be as long as they are within this. Why: ends are known
 	 * to a pixel or two each.
 	 */
