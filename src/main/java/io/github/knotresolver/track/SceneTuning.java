@@ -667,6 +667,12 @@ final class SceneTuning {
 	static final double EXCHANGE_HOPELESS = 60;
 
 	/**
+	 * [exchanges] So many of a kind are fitted in a frame. Why: two that lie side by side touch in
+	 * one place and cross in another.
+	 */
+	static final int EXCHANGE_FITTED = 2;
+
+	/**
 	 * [share] Pieces of one filament follow each other in more of the frames. Why: two filaments
 	 * that move on their own do so by chance only.
 	 */
