@@ -88,7 +88,8 @@ final class ExchangedHalves {
 		List<Settled> now = as(filaments, i, j, lengths);
 		for (int round = 0; round < SceneTuning.HALVES_ROUNDS; round++) {
 			progress.checkCancelled();
-			now = likeNeighbours(exchanges.course(now, i, j).filaments(), i, j);
+			now = exchanges.course(now, i, j).filaments();
+			exchanges.likeNeighbours(now, i, j);
 			final ScenePass pass = ScenePass.of(now);
 			final List<Length> found = measure.of(pass, List.of(i, j), pass.clear(line, workers),
 				workers);
@@ -109,33 +110,6 @@ final class ExchangedHalves {
 
 	private static Chain as(final Chain chain, final double length) {
 		return Chain.along(chain.polyline(), chain.links(), length);
-	}
-
-	/** Each frame as the one before or after it says, where that is cheaper. */
-	private List<Settled> likeNeighbours(final List<Settled> filaments, final int i, final int j) {
-		final int n = line.frames().size();
-		final List<PairFit.Two> two = new ArrayList<>();
-		for (int t = 0; t < n; t++) {
-			final Chain a = filaments.get(i).chains().get(t), b = filaments.get(j).chains().get(t);
-			two.add(new PairFit.Two(a, b, exchanges.pair(filaments, i, j, t).price(a, b)));
-		}
-		for (final int step : new int[]{1, -1})
-			for (int t = step > 0 ? 2 : n - 3; t >= 0 && t < n; t += step) {
-				progress.checkCancelled();
-				final PairFit.Two here = two.get(t), last = two.get(t - step);
-				final Chain a = onwards(two.get(t - 2 * step).a(), last.a());
-				final Chain b = onwards(two.get(t - 2 * step).b(), last.b());
-				if (Math.max(a.farthest(here.a()), b.farthest(here.b())) < SceneTuning.HALVES_OFF)
-					continue;
-				final PairFit.Two other = exchanges.pair(filaments, i, j, t).fitted(a, b);
-				if (other.price() < here.price())
-					two.set(t, other);
-			}
-		return with(filaments, i, j, two);
-	}
-
-	private static Chain onwards(final Chain before, final Chain now) {
-		return now.slid(before.slide(now));
 	}
 
 	private static List<Settled> with(final List<Settled> filaments, final int i, final int j,

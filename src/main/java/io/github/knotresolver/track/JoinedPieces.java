@@ -18,8 +18,9 @@ import io.github.knotresolver.track.SceneSettler.Settled;
 
 /**
  * Two filaments one of which goes on where the other ends, in nearly all frames, are pieces of
- * one: each frame is explained by both, and nothing but the whole movie tells. They are joined if
- * the movie does not become dearer.
+ * one: each frame is explained by both, and nothing but the whole movie tells. So are two whose
+ * ends touch in nearly all frames and which go on in most: a bend that slides through where they
+ * meet does not part them. They are joined if the movie does not become dearer.
  */
 final class JoinedPieces {
 
@@ -59,19 +60,25 @@ final class JoinedPieces {
 			: filament.chains();
 	}
 
-	/** Whether the second goes on where the first ends, in nearly all frames. */
+	/**
+	 * Whether the second goes on where the first ends in nearly all frames, or does so in most and
+	 * both touch there in nearly all.
+	 */
 	private static boolean goOn(final List<Chain> a, final List<Chain> b) {
-		int missed = 0;
-		for (int t = 0; t < a.size(); t++)
-			if (!goesOn(a.get(t).polyline(), b.get(t).polyline())
-				&& ++missed > (1 - SceneTuning.PIECES_MOST) * a.size())
-				return false;
-		return true;
+		int onwards = 0, touching = 0;
+		for (int t = 0; t < a.size(); t++) {
+			final Polyline p = a.get(t).polyline(), q = b.get(t).polyline();
+			final double apart = p.last().distanceTo(q.first());
+			onwards += apart <= SceneTuning.LEFT_NEAR && isAligned(p, q) ? 1 : 0;
+			touching += apart <= SceneTuning.TOUCH ? 1 : 0;
+		}
+		final double nearlyAll = SceneTuning.PIECES_MOST * a.size();
+		return onwards >= nearlyAll
+			|| touching >= nearlyAll && onwards >= SceneTuning.PIECES_ALIGNED * a.size();
 	}
 
-	private static boolean goesOn(final Polyline a, final Polyline b) {
-		if (a.last().distanceTo(b.first()) > SceneTuning.LEFT_NEAR)
-			return false;
+	/** Whether the second sets out the way in which the first ends. */
+	private static boolean isAligned(final Polyline a, final Polyline b) {
 		final Point p = a.at(Math.max(0, a.length() - SceneTuning.LEFT_END)), end = a.last();
 		final Point q = b.at(Math.min(b.length(), SceneTuning.LEFT_END)), start = b.first();
 		final double ux = end.x() - p.x(), uy = end.y() - p.y();

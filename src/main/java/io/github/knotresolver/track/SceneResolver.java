@@ -239,14 +239,19 @@ public final class SceneResolver {
 				pass.chains().get(t).stream().map(Chain::contour).toList());
 	}
 
-	/** The best pass once more, with the lengths that it tells. */
+	/** The best pass once more, with halves exchanged that were, and the lengths that it tells. */
 	private void withBetterLengths(final SceneLine line, final SceneWeights weights,
 		final List<PricedPass> passes) {
 		if (passes.isEmpty())
 			return;
-		final PricedPass best = passes.get(0);
+		final PricedPass first = passes.get(0);
+		final PricedPass best = new ExchangedSeed(line, weights, workers, progress).mended(first);
+		final ScenePass pass = best.pass();
+		if (best != first)
+			passes.add(best);
 		new SceneLengths(line, weights).corrected(best, workers)
-			.map(chains -> ScenePass.from(best.pass().start(), chains, line, weights, progress))
+			.or(() -> Optional.of(pass.chains().get(pass.start())).filter(c -> best != first))
+			.map(chains -> ScenePass.from(pass.start(), chains, line, weights, progress))
 			.ifPresent(again -> passes.add(PricedPass.of(again, line, workers)));
 		PricedPass.sort(passes);
 	}

@@ -47,6 +47,16 @@ final class SceneTracker {
 
 	/** Goes on to the next frame and gives the filaments there, in the order of the start. */
 	List<Chain> step(final FrameView frame) {
+		return step(frame, List.of());
+	}
+
+	/**
+	 * The same beside others.
+	 *
+	 * @param others what else is in that frame; it stays as it is
+	 */
+	List<Chain> step(final FrameView frame, final List<Chain> others) {
+		final int n = now.size();
 		final List<List<Chain>> predictions = new ArrayList<>();
 		final List<Chain> first = new ArrayList<>();
 		for (int k = 0; k < now.size(); k++) {
@@ -54,27 +64,28 @@ final class SceneTracker {
 			predictions.add(p);
 			first.add(p.get(Math.min(2, p.size() - 1)));
 		}
+		first.addAll(others);
 		final Scene scene = new Scene(frame.light(), line, first);
 		choose(scene, predictions);
 		final List<Chain> expected = scene.chains();
-		final double[] moved = new double[scene.size()];
+		final double[] moved = new double[n];
 		fit(scene, expected, moved, 0);
 		final List<Chain> fitted = scene.chains();
 		final boolean[] worthIt = worthMending(scene);
 		final TipRepair tips = new TipRepair(scene, weights.tracked(), mismatch);
-		for (int k = 0; k < scene.size(); k++)
+		for (int k = 0; k < n; k++)
 			if (worthIt[k])
 				tips.mend(k);
 		new TailSwap(scene, weights.tracked(), expected, mismatch).mend(worthIt);
 		boolean mended = false;
-		for (int k = 0; k < scene.size(); k++)
+		for (int k = 0; k < n; k++)
 			if (scene.chain(k) != fitted.get(k)) {
 				moved[k] = Double.POSITIVE_INFINITY;
 				mended = true;
 			}
 		fit(scene, mended ? scene.chains() : expected, moved, 2);
 		before = now;
-		now = scene.chains();
+		now = List.copyOf(scene.chains().subList(0, n));
 		return now;
 	}
 
@@ -109,10 +120,10 @@ final class SceneTracker {
 	 * given another one meanwhile.
 	 */
 	private void choose(final Scene scene, final List<List<Chain>> predictions) {
-		final boolean[] open = new boolean[scene.size()];
+		final boolean[] open = new boolean[predictions.size()];
 		Arrays.fill(open, true);
 		for (int round = 0; round < 2; round++)
-			for (int k = 0; k < scene.size(); k++)
+			for (int k = 0; k < open.length; k++)
 				if (open[k]) {
 					open[k] = false;
 					final Chain before = scene.chain(k);
@@ -152,7 +163,7 @@ final class SceneTracker {
 	private void fit(final Scene scene, final List<Chain> expected, final double[] moved,
 		final int from) {
 		for (int s = from; s < from + 2; s++)
-			for (int k = 0; k < scene.size(); k++)
+			for (int k = 0; k < moved.length; k++)
 				if (s < 2 || isRestless(scene, k, moved)) {
 					final Chain start = scene.chain(k);
 					scene.take(k);

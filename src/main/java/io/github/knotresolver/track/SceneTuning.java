@@ -650,6 +650,12 @@ final class SceneTuning {
 	static final double SEED_SOUND = 0.9;
 
 	/**
+	 * [pairs] So many of those that may be each other's halves where a pass began are tried. Why: a
+	 * mistake of one crossing makes two filaments unclear, and one or two that they meet.
+	 */
+	static final int SEED_EXCHANGES = 4;
+
+	/**
 	 * [px] Exchanged, both filaments must be as long as they are within this. Why: ends are known
 	 * to a pixel or two each.
 	 */
@@ -661,10 +667,23 @@ final class SceneTuning {
 	static final double EXCHANGE_HOPELESS = 60;
 
 	/**
+	 * [exchanges] So many of a kind are fitted in a frame. Why: two that lie side by side touch in
+	 * one place and cross in another.
+	 */
+	static final int EXCHANGE_FITTED = 2;
+
+	/**
 	 * [share] Pieces of one filament follow each other in more of the frames. Why: two filaments
 	 * that move on their own do so by chance only.
 	 */
 	static final double PIECES_MOST = 0.9;
+
+	/**
+	 * [share] ... or touch in so many, and in this part of the frames one goes on as the other ends.
+	 * Why: a bend that slides through where they meet is there for a while; what is fixed at one
+	 * place with another one hardly ever points along it.
+	 */
+	static final double PIECES_ALIGNED = 0.5;
 
 	/**
 	 * [px] An end stays where two filaments exchange their other ends. Why: fits of an end scatter

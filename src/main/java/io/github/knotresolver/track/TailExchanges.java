@@ -2,8 +2,9 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
-import java.util.Objects;
+import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 
@@ -54,7 +55,10 @@ final class TailExchanges {
 		for (int i = 0; i < checked.size(); i++)
 			for (int j = 0; j < i; j++) {
 				progress.checkCancelled();
+				final List<Chain> before = checked.get(i).chains();
 				check(checked, i, j);
+				if (!checked.get(i).chains().equals(before))
+					likeNeighbours(checked, i, j);
 			}
 		return checked;
 	}
@@ -106,41 +110,88 @@ final class TailExchanges {
 			&& !exchanges(a, b).isEmpty();
 	}
 
-	private List<PairFit.Two> exchanges(final Chain a, final Chain b) {
-		return thorough
-			? TailSwap.everywhere(a, b, SceneTuning.EXCHANGE_LENGTH)
-			: TailSwap.exchanged(a, b, SceneTuning.EXCHANGE_LENGTH);
+	private static List<PairFit.Two> exchanges(final Chain a, final Chain b) {
+		return TailSwap.everywhere(a, b, SceneTuning.EXCHANGE_LENGTH);
 	}
 
-	/** The best exchanges in a frame that show: of the tails, and of the heads. */
+	/**
+	 * The best exchanges in a frame, of the tails and of the heads: those that show, and those that
+	 * are cheaper, as where the two lie side by side.
+	 */
 	private List<Exchanged> exchanged(final List<Settled> filaments, final int i, final int j,
 		final int t) {
 		final Chain a = filaments.get(i).chains().get(t), b = filaments.get(j).chains().get(t);
 		final PairFit pair = pair(filaments, i, j, t);
 		final double before = pair.price(a, b);
-		PairFit.Two tails = null, heads = null;
+		final List<PairFit.Two> tails = new ArrayList<>(), heads = new ArrayList<>();
 		for (final PairFit.Two p : exchanges(a, b)) {
-			if (!shows(p.a(), a) || !shows(p.b(), b))
-				continue;
 			final double energy = pair.price(p.a(), p.b());
 			final boolean keepsHeads = p.a().start().distanceTo(a.start()) < SceneTuning.END_STAYS
 				&& p.b().start().distanceTo(b.start()) < SceneTuning.END_STAYS;
-			final PairFit.Two best = keepsHeads ? tails : heads;
-			if (energy >= (best == null ? before + SceneTuning.EXCHANGE_HOPELESS : best.price()))
-				continue;
-			final PairFit.Two better = new PairFit.Two(p.a(), p.b(), energy);
-			if (keepsHeads)
-				tails = better;
-			else
-				heads = better;
+			if (energy < before + SceneTuning.EXCHANGE_HOPELESS)
+				(keepsHeads ? tails : heads).add(new PairFit.Two(p.a(), p.b(), energy));
 		}
-		return Stream.of(tails, heads).filter(Objects::nonNull).map(p -> pair.fitted(p.a(), p.b()))
+		return Stream.of(tails, heads).flatMap(some -> cheapest(pair, some).stream())
 			.map(f -> new Exchanged(f.a(), f.b(), f.price() - before))
-			.filter(e -> shows(e.a, a) && shows(e.b, b)).toList();
+			.filter(e -> e.more < -SceneTuning.TIP_BETTER || shows(e.a, a) && shows(e.b, b))
+			.toList();
+	}
+
+	/** The most promising of some exchanges fitted, and the cheapest of those. */
+	private static Optional<PairFit.Two> cheapest(final PairFit pair,
+		final List<PairFit.Two> some) {
+		return some.stream().sorted(Comparator.comparingDouble(PairFit.Two::price))
+			.limit(SceneTuning.EXCHANGE_FITTED).map(p -> pair.fitted(p.a(), p.b()))
+			.min(Comparator.comparingDouble(PairFit.Two::price));
 	}
 
 	private static boolean shows(final Chain other, final Chain chain) {
 		return other.farthest(chain) > SceneTuning.VISIBLY_FAR;
+	}
+
+	/**
+	 * Two filaments in each frame as the one before or after it says, where that is cheaper. O(frames
+	 * in which they are not there yet), there and back.
+	 *
+	 * @param filaments all of them; these two are replaced
+	 */
+	void likeNeighbours(final List<Settled> filaments, final int i, final int j) {
+		final int n = line.frames().size();
+		final Settled first = filaments.get(i), second = filaments.get(j);
+		final List<PairFit.Two> two = new ArrayList<>();
+		for (int t = 0; t < n; t++) {
+			final Chain a = first.chains().get(t), b = second.chains().get(t);
+			two.add(new PairFit.Two(a, b, pair(filaments, i, j, t).price(a, b)));
+		}
+		final List<PairFit.Two> before = List.copyOf(two);
+		for (final int step : new int[]{1, -1})
+			for (int t = step > 0 ? 2 : n - 3; t >= 0 && t < n; t += step) {
+				progress.checkCancelled();
+				final PairFit.Two here = two.get(t), last = two.get(t - step);
+				final Chain a = onwards(two.get(t - 2 * step).a(), last.a());
+				final Chain b = onwards(two.get(t - 2 * step).b(), last.b());
+				if (Math.max(a.farthest(here.a()), b.farthest(here.b())) < SceneTuning.HALVES_OFF)
+					continue;
+				final PairFit.Two other = pair(filaments, i, j, t).fitted(a, b);
+				if (other.price() < here.price())
+					two.set(t, other);
+			}
+		filaments.set(i, with(first, two.stream().map(PairFit.Two::a).toList(), before, two));
+		filaments.set(j, with(second, two.stream().map(PairFit.Two::b).toList(), before, two));
+	}
+
+	private static Chain onwards(final Chain before, final Chain now) {
+		return now.slid(before.slide(now));
+	}
+
+	/** A filament with other chains, no surer than those are cheaper where they differ. */
+	private static Settled with(final Settled filament, final List<Chain> chains,
+		final List<PairFit.Two> before, final List<PairFit.Two> after) {
+		final double[] gap = filament.gap().clone();
+		for (int t = 0; t < gap.length; t++)
+			if (shows(chains.get(t), filament.chains().get(t)))
+				gap[t] = Math.min(gap[t], before.get(t).price() - after.get(t).price());
+		return new Settled(chains, gap, filament.lengthError());
 	}
 
 	/** The cheapest course through both possibilities. */
@@ -167,7 +218,10 @@ final class TailExchanges {
 			final int chosen = path.choice()[t];
 			a.add(chain(first, others, t, chosen, true));
 			b.add(chain(second, others, t, chosen, false));
-			final double gap = path.gap(t, v -> v != chosen);
+			final int frame = t;
+			final double gap = path.gap(t,
+				v -> shows(chain(first, others, frame, v, true), a.get(frame))
+					|| shows(chain(second, others, frame, v, false), b.get(frame)));
 			gapA[t] = Math.min(gapA[t], gap);
 			gapB[t] = Math.min(gapB[t], gap);
 		}

@@ -50,7 +50,7 @@ final class TailSwap {
 	 * @param worthIt the chains that are worth it; of a pair, one must be
 	 */
 	void mend(final boolean[] worthIt) {
-		final boolean[] wrong = new boolean[scene.size()];
+		final boolean[] wrong = new boolean[worthIt.length];
 		for (int k = 0; k < wrong.length; k++)
 			wrong[k] = worthIt[k] && scene.isOff(scene.chain(k), mismatch);
 		for (int i = 0; i < wrong.length; i++)
@@ -98,8 +98,15 @@ final class TailSwap {
 	 * @param tolerance by so much (pixels) lengths may be off
 	 */
 	static List<Two> exchanged(final Chain a, final Chain b, final double tolerance) {
-		final Polyline p = a.polyline(), q = b.polyline();
 		final List<Two> all = new ArrayList<>();
+		for (final int[] nodes : touches(a.polyline(), b.polyline()))
+			exchange(a, b, nodes, tolerance, all);
+		return all;
+	}
+
+	/** Nodes in the middle of each stretch on which two curves touch. */
+	private static List<int[]> touches(final Polyline p, final Polyline q) {
+		final List<int[]> places = new ArrayList<>();
 		int from = -1;
 		for (int i = 0; i <= p.size(); i++) {
 			final boolean near = i < p.size() && squared(p, i, q,
@@ -108,22 +115,50 @@ final class TailSwap {
 				from = i;
 			if (!near && from >= 0) {
 				final int middle = (from + i - 1) / 2;
-				exchange(a, b, new int[]{middle, nearest(p, middle, q)}, tolerance, all);
+				places.add(new int[]{middle, nearest(p, middle, q)});
 				from = -1;
 			}
 		}
-		return all;
+		return places;
 	}
 
 	/** The same, and all exchanges at places where they cross, of which a long touch has several. */
 	static List<Two> everywhere(final Chain a, final Chain b, final double tolerance) {
-		final Polyline p = a.polyline(), q = b.polyline();
 		final List<Two> all = exchanged(a, b, tolerance);
+		for (final int[] nodes : crossings(a.polyline(), b.polyline()))
+			exchange(a, b, nodes, tolerance, all);
+		return all;
+	}
+
+	/**
+	 * What two filaments are that exchange what is behind a place where they touch or cross, each as
+	 * long as it then is; not priced.
+	 */
+	static List<Two> ofAnyLength(final Chain a, final Chain b) {
+		final Polyline p = a.polyline(), q = b.polyline();
+		final List<int[]> places = touches(p, q);
+		places.addAll(crossings(p, q));
+		final List<Two> all = new ArrayList<>();
+		for (final int[] nodes : places)
+			for (final List<List<Point>> curves : curves(a, b, nodes))
+				if (curves.stream().allMatch(c -> c.size() >= SceneTuning.SWAP_NODES))
+					all.add(new Two(whole(curves.get(0)), whole(curves.get(1)), Double.NaN));
+		return all;
+	}
+
+	private static Chain whole(final List<Point> points) {
+		final Polyline curve = Polyline.of(points);
+		return Chain.inScene(curve, curve.length());
+	}
+
+	/** Nodes at which two curves cross. */
+	private static List<int[]> crossings(final Polyline p, final Polyline q) {
+		final List<int[]> places = new ArrayList<>();
 		for (int i = 0; i + 1 < p.size(); i++)
 			for (int k = 0; k + 1 < q.size(); k++)
 				if (cross(p, i, q, k))
-					exchange(a, b, new int[]{i + 1, k + 1}, tolerance, all);
-		return all;
+					places.add(new int[]{i + 1, k + 1});
+		return places;
 	}
 
 	/** Whether the i-th link of one crosses the k-th of the other. */
@@ -154,13 +189,18 @@ final class TailSwap {
 	/** Exchanges what is behind a node of each. */
 	private static void exchange(final Chain a, final Chain b, final int[] nodes,
 		final double tolerance, final List<Two> all) {
+		for (final List<List<Point>> curves : curves(a, b, nodes))
+			all.addAll(pairs(a, b, curves, tolerance));
+	}
+
+	/** Both exchanges at a node of each: of what is behind it, and of what is behind one of them. */
+	private static List<List<List<Point>>> curves(final Chain a, final Chain b, final int[] nodes) {
 		final int i = nodes[0], j = nodes[1];
 		final List<Point> p = points(a), q = points(b);
 		final List<Point> headA = p.subList(0, i), tailA = p.subList(i, p.size());
 		final List<Point> headB = q.subList(0, j), tailB = q.subList(j, q.size());
-		all.addAll(pairs(a, b, List.of(joined(headA, tailB), joined(headB, tailA)), tolerance));
-		all.addAll(pairs(a, b,
-			List.of(joined(headA, reversed(headB)), joined(reversed(tailA), tailB)), tolerance));
+		return List.of(List.of(joined(headA, tailB), joined(headB, tailA)),
+			List.of(joined(headA, reversed(headB)), joined(reversed(tailA), tailB)));
 	}
 
 	/** Two curves as the two filaments, in both ways. */

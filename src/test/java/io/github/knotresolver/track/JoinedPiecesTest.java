@@ -15,6 +15,8 @@ import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.LineTables;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.progress.Progress;
@@ -84,5 +86,60 @@ class JoinedPiecesTest {
 			truth.add(List.of(first.get(t), second.get(t)));
 		}
 		assertEquals(2, joined(seen(truth), List.of(settled(first), settled(second))).size());
+	}
+
+	/** A track that turns back, which a filament runs through. */
+	private static Polyline track() {
+		final List<Point> points = new ArrayList<>();
+		for (int x = 4; x <= 74; x++)
+			points.add(new Point(x, 40));
+		for (int angle = 3; angle < 180; angle += 3)
+			points.add(new Point(74 + 10 * Math.sin(Math.toRadians(angle)),
+				50 - 10 * Math.cos(Math.toRadians(angle))));
+		for (int x = 74; x >= 0; x--)
+			points.add(new Point(x, 60));
+		return Polyline.of(points);
+	}
+
+	private static Chain onTrack(final double from, final double to) {
+		final List<Point> points = new ArrayList<>();
+		for (double s = from; s < to; s++)
+			points.add(track().at(s));
+		points.add(track().at(to));
+		return Chain.inScene(Polyline.of(points), to - from);
+	}
+
+	@Test
+	void aBendThatSlidesThroughWherePiecesMeetDoesNotPartThem() {
+		final List<List<Chain>> truth = new ArrayList<>();
+		final List<Chain> first = new ArrayList<>(), second = new ArrayList<>();
+		for (int t = 0; t < FRAMES; t++) {
+			final double s = 9 * t;
+			truth.add(List.of(onTrack(s, s + 75)));
+			first.add(onTrack(s, s + 30));
+			second.add(onTrack(s + 30, s + 75));
+		}
+		final List<Settled> whole = joined(seen(truth), List.of(settled(first), settled(second)));
+		assertEquals(1, whole.size());
+		for (final Chain chain : whole.get(0).chains())
+			assertEquals(75, chain.length(), 0.7);
+	}
+
+	@Test
+	void twoThatAreHeldAtOnePlaceAreTwo() {
+		final List<List<Chain>> truth = new ArrayList<>();
+		final List<Chain> first = new ArrayList<>(), second = new ArrayList<>();
+		for (int t = 0; t < FRAMES; t++) {
+			first.add(ray(0.7 + 0.05 * t));
+			second.add(ray(2.6 - 0.05 * t));
+			truth.add(List.of(first.get(t), second.get(t)));
+		}
+		assertEquals(2, joined(seen(truth), List.of(settled(first), settled(second))).size());
+	}
+
+	/** From a fixed place in a direction. */
+	private static Chain ray(final double angle) {
+		return Chain
+			.inScene(Drawn.line(65, 20, 65 + 60 * Math.cos(angle), 20 + 60 * Math.sin(angle)), 60);
 	}
 }

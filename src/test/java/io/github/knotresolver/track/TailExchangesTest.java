@@ -26,7 +26,7 @@ import io.github.knotresolver.track.SceneSettler.Settled;
 class TailExchangesTest {
 
 	private static final int SIZE = 130, FRAMES = 12;
-	private static final double NOISE = 0.05, LENGTH = 60;
+	private static final double NOISE = 0.05, LENGTH = 60, ANGLE = 0.3;
 	private static final LineTables LINE = LineTables
 		.together(LineModel.uniform(Kind.ADDITIVE, 1.4, 1));
 
@@ -54,9 +54,9 @@ class TailExchangesTest {
 				new double[]{y, my, my + (LENGTH - turnsAt) * Math.sin(to)}), LENGTH);
 	}
 
-	private static FrameView frame(final int t, final Random random) {
+	private static FrameView frame(final int t, final double angle, final Random random) {
 		final double[] light = new Scene(new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]),
-			LINE, List.of(rod(t, 0.3), rod(t, -0.3))).residual().pixels();
+			LINE, List.of(rod(t, angle), rod(t, -angle))).residual().pixels();
 		for (int i = 0; i < light.length; i++)
 			light[i] = NOISE * random.nextGaussian() - light[i];
 		return new FrameView(t + 1, new NormalizedFrame(SIZE, SIZE, light),
@@ -65,14 +65,21 @@ class TailExchangesTest {
 	}
 
 	private static List<Settled> checked(final int from) {
-		final Random random = new Random(3);
-		final List<FrameView> frames = new ArrayList<>();
 		final List<Chain> a = new ArrayList<>(), b = new ArrayList<>();
 		for (int t = 0; t < FRAMES; t++) {
-			frames.add(frame(t, random));
-			a.add(t < from ? rod(t, 0.3) : exchanged(t, 0.3, -0.3));
-			b.add(t < from ? rod(t, -0.3) : exchanged(t, -0.3, 0.3));
+			a.add(t < from ? rod(t, ANGLE) : exchanged(t, ANGLE, -ANGLE));
+			b.add(t < from ? rod(t, -ANGLE) : exchanged(t, -ANGLE, ANGLE));
 		}
+		return checked(ANGLE, a, b);
+	}
+
+	/** Two chains where rods cross, each at an angle to the horizontal. */
+	private static List<Settled> checked(final double angle, final List<Chain> a,
+		final List<Chain> b) {
+		final Random random = new Random(3);
+		final List<FrameView> frames = new ArrayList<>();
+		for (int t = 0; t < FRAMES; t++)
+			frames.add(frame(t, angle, random));
 		final double[] sure = new double[FRAMES];
 		Arrays.fill(sure, Double.POSITIVE_INFINITY);
 		return new TailExchanges(new SceneLine(LINE, frames, NOISE), SceneWeights.DEFAULT,
@@ -101,5 +108,32 @@ class TailExchangesTest {
 		assertTrue(gap > 1 && Double.isFinite(gap), "gap " + gap);
 		final double wrong = checked(0).get(0).gap()[8];
 		assertTrue(wrong < gap, "exchanged from the first frame on: gap " + wrong);
+	}
+
+	@Test
+	void aFrameInWhichNoExchangeFitsIsAsItsNeighboursSay() {
+		final List<Chain> a = new ArrayList<>(), b = new ArrayList<>();
+		for (int t = 0; t < FRAMES; t++) {
+			a.add(t < 6 ? rod(t, ANGLE).slid(t == 2 ? 8 : 0) : exchanged(t, ANGLE, -ANGLE));
+			b.add(t < 6 ? rod(t, -ANGLE) : exchanged(t, -ANGLE, ANGLE));
+		}
+		assertStraight(checked(ANGLE, a, b));
+	}
+
+	@Test
+	void tailsThatLieBetweenBothAreGivenBackThoughTheyAreNearerThanALineIsWide() {
+		final double angle = 0.15;
+		final List<Chain> a = new ArrayList<>(), b = new ArrayList<>();
+		for (int t = 0; t < FRAMES; t++) {
+			a.add(t < 6 || t > 8 ? rod(t, angle) : exchanged(t, angle, 0));
+			b.add(t < 6 || t > 8 ? rod(t, -angle) : exchanged(t, -angle, 0));
+		}
+		final List<Settled> found = checked(angle, a, b);
+		for (int t = 6; t <= 8; t++)
+			for (int k = 0; k < 2; k++) {
+				final Chain right = rod(t, k == 0 ? angle : -angle);
+				final double off = found.get(k).chains().get(t).farthest(right);
+				assertTrue(off < 1.5, "filament " + k + ", frame " + (t + 1) + ": " + off);
+			}
 	}
 }
