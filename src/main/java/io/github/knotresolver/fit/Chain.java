@@ -336,28 +336,6 @@ public final class Chain {
 	}
 
 	/**
-	 * How far this shape is from where it would be if the filament had kept its velocity.
-	 *
-	 * @param before the chain one step before, with as many links
-	 * @param after the chain one step after, with as many links
-	 * @return the mean change of velocity of the nodes, in pixels per step
-	 */
-	public double changeOfCourse(final Chain before, final Chain after) {
-		final int n = theta.length + 1;
-		final double[] x = new double[n], y = new double[n], ax = new double[n], ay = new double[n],
-			bx = new double[n], by = new double[n];
-		nodes(x, y);
-		before.nodes(ax, ay);
-		after.nodes(bx, by);
-		double sum = 0;
-		for (int i = 0; i < n; i++) {
-			final double dx = ax[i] + bx[i] - 2 * x[i], dy = ay[i] + by[i] - 2 * y[i];
-			sum += Math.sqrt(dx * dx + dy * dy);
-		}
-		return sum / n;
-	}
-
-	/**
 	 * @param other a chain with as many links
 	 * @return the largest distance of corresponding nodes, in pixels
 	 */
@@ -371,23 +349,6 @@ public final class Chain {
 		for (int i = 0; i < n; i++)
 			most = Math.max(most, Math.hypot(ax[i] - bx[i], ay[i] - by[i]));
 		return most;
-	}
-
-	/**
-	 * O(links of both).
-	 *
-	 * @param other another chain
-	 * @param distance in pixels
-	 * @return whether all nodes lie so near to some link of the other, in whatever order
-	 */
-	public boolean isAlong(final Chain other, final double distance) {
-		final double[] x = new double[theta.length + 1], y = new double[theta.length + 1];
-		nodes(x, y);
-		final Polyline line = other.polyline();
-		for (int i = 0; i < x.length; i++)
-			if (line.distanceTo(new Point(x[i], y[i])) > distance)
-				return false;
-		return true;
 	}
 
 	/**

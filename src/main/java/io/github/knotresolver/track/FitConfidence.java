@@ -2,10 +2,12 @@ package io.github.knotresolver.track;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitQuality;
+import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.image.LineAppearance;
 import io.github.knotresolver.model.Observation;
@@ -65,8 +67,15 @@ record FitConfidence(double usualMisfit) {
 	/** Whether a contour runs along the lines of another one, but visibly in another order. */
 	private static boolean isExchanged(final Chain other, final Chain chosen, final double width) {
 		return other.farthest(chosen) > TrackTuning.EXCHANGED_APART * width
-			&& other.isAlong(chosen, TrackTuning.EXCHANGED_ALONG * width)
-			&& chosen.isAlong(other, TrackTuning.EXCHANGED_ALONG * width);
+			&& isAlong(other, chosen, TrackTuning.EXCHANGED_ALONG * width)
+			&& isAlong(chosen, other, TrackTuning.EXCHANGED_ALONG * width);
+	}
+
+	/** Whether all nodes of one lie so near to some link of another, in whatever order. */
+	private static boolean isAlong(final Chain one, final Chain other, final double distance) {
+		final Polyline nodes = one.polyline(), line = other.polyline();
+		return IntStream.range(0, nodes.size())
+			.allMatch(i -> line.distanceTo(nodes.point(i)) <= distance);
 	}
 
 	/** A gap as a figure: 1 if there is none, falling to 0. */

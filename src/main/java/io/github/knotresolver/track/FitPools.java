@@ -123,14 +123,14 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 
 	/**
 	 * The same, and wherever two strands of a frame's likely contour may have been exchanged, the
-	 * contour on which they are.
+	 * contour on which they are. Not if each fit has a length of its own, as then it tells little.
 	 *
 	 * @param workers threads
 	 * @param progress asked whether to stop
 	 */
 	FitPools withExchanges(final Workers workers, final Progress progress) {
 		FitPools pools = this;
-		for (int round = 0; round < TrackTuning.EXCHANGE_ROUNDS; round++)
+		for (int round = 0; round < TrackTuning.EXCHANGE_ROUNDS && !settings.freeLength(); round++)
 			pools = pools.exchanged(workers, progress);
 		return pools;
 	}

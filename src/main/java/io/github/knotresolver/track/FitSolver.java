@@ -82,7 +82,7 @@ public final class FitSolver {
 	private FitTrellis.Solved solved(final SortedMap<Integer, Restriction> said,
 		final Progress progress) {
 		return new FitTrellis(pools.frames(), pools.light(), pools.course(), fits(said),
-			pools.sets(), this::look).solve(said, progress);
+			pools.sets(), this::look, pools.settings().freeLength()).solve(said, progress);
 	}
 
 	private SortedMap<Integer, Restriction> byFrame(final List<Constraint> constraints) {

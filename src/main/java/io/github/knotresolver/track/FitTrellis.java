@@ -29,9 +29,11 @@ import io.github.knotresolver.progress.Progress;
  * @param pools the fits of every frame
  * @param sets the candidates of every frame
  * @param looks gives a look at a fit in a frame
+ * @param freeLength whether each fit has a length of its own
  */
 record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentCourse course,
-	List<List<Fit>> pools, List<CandidateSet> sets, BiFunction<Integer, Fit, FitLook> looks) {
+	List<List<Fit>> pools, List<CandidateSet> sets, BiFunction<Integer, Fit, FitLook> looks,
+	boolean freeLength) {
 
 	/** @return whether a contour of this quality may be shown */
 	static boolean isTrusted(final FitQuality quality) {
@@ -57,7 +59,9 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 	 */
 	Solved solve(final Map<Integer, Restriction> said, final Progress progress) {
 		final MotionPrice motion = MotionPrice.learn(pools, course.anchor());
-		final Course ways = course(pools, course.anchor(), motion, progress);
+		final Course ways = freeLength
+			? plain(pools, course.anchor(), motion, progress)
+			: course(pools, course.anchor(), motion, progress);
 		final TrellisPath path = ways.path();
 		final List<Optional<FitLook>> seen = new ArrayList<>();
 		for (int t = 0; t < pools.size(); t++) {
@@ -99,7 +103,7 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 	}
 
 	/**
-	 * The cheapest way through fits.
+	 * The cheapest way through fits. It costs to change course.
 	 *
 	 * @param pools the fits of every frame
 	 * @param anchor where the fixed end is
@@ -107,25 +111,37 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 	 */
 	static Course course(final List<List<Fit>> pools, final AnchorPath anchor,
 		final MotionPrice motion, final Progress progress) {
-		final List<double[]> prices = pools.stream()
-			.map(p -> p.stream().mapToDouble(Fit::energy).toArray()).toList();
-		final Trellis.EdgePrice edge = (t, i, u, j) -> motion.between(
-			anchor.carried(pools.get(t).get(i).chain(), t, u), pools.get(u).get(j).chain());
-		final TrellisPath plain = Trellis.solve(prices, edge, progress);
-		final Inertia inertia = Inertia
-			.learn(
-				IntStream.range(0, pools.size())
-					.mapToObj(t -> plain.choice()[t] < 0
-						? Optional.<Chain>empty()
-						: Optional.of(pools.get(t).get(plain.choice()[t]).chain()))
-					.toList(),
-				anchor);
+		final Course plain = plain(pools, anchor, motion, progress);
+		final int[] choice = plain.path.choice();
+		final Inertia inertia = new Inertia(IntStream.range(0, pools.size())
+			.mapToObj(t -> choice[t] < 0
+				? Optional.<Chain>empty()
+				: Optional.of(pools.get(t).get(choice[t]).chain()))
+			.toList(), anchor);
 		return new Course(
-			SmoothTrellis.solve(plain, prices, edge,
+			SmoothTrellis.solve(plain.path, prices(pools), motion(pools, anchor, motion),
 				(t, i, j, k) -> inertia.price(t + 1, pools.get(t).get(i).chain(),
 					pools.get(t + 1).get(j).chain(), pools.get(t + 2).get(k).chain()),
 				progress),
-			plain.total());
+			plain.plain);
+	}
+
+	/** The same without inertia: if each fit has a length of its own, so has its motion. */
+	private static Course plain(final List<List<Fit>> pools, final AnchorPath anchor,
+		final MotionPrice motion, final Progress progress) {
+		final TrellisPath path = Trellis.solve(prices(pools), motion(pools, anchor, motion),
+			progress);
+		return new Course(path, path.total());
+	}
+
+	private static List<double[]> prices(final List<List<Fit>> pools) {
+		return pools.stream().map(p -> p.stream().mapToDouble(Fit::energy).toArray()).toList();
+	}
+
+	private static Trellis.EdgePrice motion(final List<List<Fit>> pools, final AnchorPath anchor,
+		final MotionPrice motion) {
+		return (t, i, u, j) -> motion.between(anchor.carried(pools.get(t).get(i).chain(), t, u),
+			pools.get(u).get(j).chain());
 	}
 
 	private Observation tracked(final int t, final TrellisPath path,

@@ -1,14 +1,10 @@
 package io.github.knotresolver.fit;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-
-import io.github.knotresolver.Drawn;
 
 class ChainTest {
 
@@ -41,21 +37,5 @@ class ChainTest {
 			assertEquals(chain.start(), slid.start());
 			assertEquals(chain.length(), slid.length());
 		}
-	}
-
-	@Test
-	void aChainThatKeepsItsVelocityDoesNotChangeItsCourse() {
-		final Chain here = Chain.along(Drawn.line(0, 0, 60, 0), 20, 60);
-		assertEquals(0, here.changeOfCourse(here.shifted(-3, -1), here.shifted(3, 1)), 1e-9);
-		assertEquals(10, here.changeOfCourse(here.shifted(3, 4), here.shifted(3, 4)), 1e-9);
-	}
-
-	@Test
-	void whatRunsBackAlongALineIsAlongIt() {
-		final Chain there = Chain.along(Drawn.line(0, 0, 60, 0), 20, 60);
-		assertTrue(there.isAlong(there.reversed().shifted(0, 1), 1.01));
-		assertFalse(there.isAlong(there.reversed().shifted(0, 1), 0.99));
-		assertFalse(there.isAlong(Chain.along(Drawn.line(0, 0, 50, 0), 20, 50), 5));
-		assertTrue(Chain.along(Drawn.line(0, 0, 50, 0), 20, 50).isAlong(there, 5));
 	}
 }

@@ -4,7 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 
 import org.junit.jupiter.api.Test;
@@ -131,5 +133,23 @@ class SmoothTrellisTest {
 		for (int t = 0; t < 14; t++)
 			assertEquals(0, path(1).choice()[t], "frame " + t);
 		assertEquals(1, path(20).choice()[6], "for much light it does");
+	}
+
+	@Test
+	void changeOfCourseIsThatOfTheMaterialRelativeToTheFixedEnd() {
+		final List<Optional<Chain>> steady = new ArrayList<>();
+		for (int t = 0; t < 6; t++)
+			steady.add(Optional.of(sweeping(t, 0, 0).chain()));
+		final AnchorPath still = AnchorPath.still(new Point(10, 20), 6);
+		final Inertia inertia = new Inertia(steady, still);
+		assertEquals(TrackTuning.LEAST_CHANGE, inertia.usual(), 1e-9);
+		final Chain here = sweeping(2, 0, 0).chain();
+		assertEquals(0,
+			inertia.price(2, sweeping(1, 0, 0).chain(), here, sweeping(3, 0, 0).chain()), 1e-9);
+		assertTrue(inertia.price(2, here, here.shifted(0, 3), here) > 10);
+		final List<Point> jolted = new ArrayList<>(Collections.nCopies(6, new Point(10, 20)));
+		jolted.set(2, new Point(10, 23));
+		assertEquals(0, new Inertia(steady, new AnchorPath(jolted, new double[6])).price(2, here,
+			here.shifted(0, 3), here), 1e-9, "the stage was jolted");
 	}
 }
