@@ -215,7 +215,7 @@ public final class FilamentEstimator {
 		}
 
 		double misfit() {
-			return line.misfit(examples);
+			return line.misfitBesidesNoise(examples);
 		}
 
 		FilamentEstimate summary() {
@@ -297,8 +297,9 @@ public final class FilamentEstimator {
 
 	private static LineEstimate line(final List<Example> examples, final LineModel.Kind kind,
 		final double sigma, final Progress progress) {
-		return LineEstimator.estimate(
-			examples.subList(0, Math.min(FitTuning.LINE_EXAMPLES, examples.size())), kind, sigma,
+		final List<Example> clearest = examples.subList(0,
+			Math.min(FitTuning.LINE_EXAMPLES, examples.size()));
+		return LineEstimator.estimate(clearest, kind, sigma, l -> l.misfitBesidesNoise(clearest),
 			progress);
 	}
 

@@ -2,6 +2,7 @@
 package io.github.knotresolver.fit;
 
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 
 import io.github.knotresolver.progress.Progress;
 
@@ -84,13 +85,20 @@ public final class LineEstimator {
 		/**
 		 * By which lines are compared. Where pixels were cut off, amplitudes differ so much that
 		 * residuals in their unit do not tell; elsewhere that unit keeps a line whose brightness
-		 * falls along it as narrow as it is. The noise is taken off, which is the
-		 * less in that unit, the brighter the line is taken for.
+		 * falls along it as narrow as it is.
 		 *
 		 * @param examples to which the line was fitted
 		 * @return the lower, the better
 		 */
-		double misfit(final List<Example> examples) {
+		public double misfit(final List<Example> examples) {
+			return isClipped(examples) ? unexplained : residual;
+		}
+
+		/**
+		 * The same with the noise taken off, which is the less in that unit, the brighter the line is
+		 * taken for.
+		 */
+		double misfitBesidesNoise(final List<Example> examples) {
 			return isClipped(examples) ? unexplained : residual - noise;
 		}
 
@@ -128,18 +136,19 @@ public final class LineEstimator {
 	 * @param examples at least one
 	 * @param kind how strands add up
 	 * @param sigma where to begin, in pixels
+	 * @param misfit of a line, the lower, the better
 	 * @param progress may cancel
 	 * @return the estimate; the best that was seen if the search does not settle, without an
 	 *         amplitude if the examples show no line at all
 	 */
 	public static LineEstimate estimate(final List<Example> examples, final LineModel.Kind kind,
-		final double sigma, final Progress progress) {
+		final double sigma, final ToDoubleFunction<LineEstimate> misfit, final Progress progress) {
 		final boolean additive = kind == LineModel.Kind.ADDITIVE;
 		final double[] guess = additive ? new double[]{sigma} : new double[]{sigma, 1.5};
 		final double[] spread = additive ? new double[]{0.3} : new double[]{0.3, 0.4};
 		final double[] best = new SimplexSearch(1e-4, 1e-6, FitTuning.SEARCH_STEPS, progress)
-			.lowest(p -> fit(examples, model(kind, p)).misfit(examples) + outside(kind, p), guess,
-				spread);
+			.lowest(p -> misfit.applyAsDouble(fit(examples, model(kind, p))) + outside(kind, p),
+				guess, spread);
 		return fit(examples, model(kind, best));
 	}
 

@@ -148,7 +148,7 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 			if (examples.isEmpty())
 				return line;
 			final LineEstimate next = LineEstimator.estimate(examples, kind, line.model().sigma(),
-				progress);
+				l -> l.misfit(examples), progress);
 			if (!next.isLine())
 				return line;
 			line = next;

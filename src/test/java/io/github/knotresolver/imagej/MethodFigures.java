@@ -189,9 +189,10 @@ public final class MethodFigures {
 			contour.length());
 		final NormalizedFrame pixels = new NormalizedFrame(movie.width(), movie.height(),
 			Pixels.doubles(frame));
-		final LineEstimator.LineEstimate line = LineEstimator.estimate(
-			List.of(new LineEstimator.Example(pixels, chain)), LineModel.Kind.ADDITIVE, 1.8,
-			Progress.NONE);
+		final List<LineEstimator.Example> example = List
+			.of(new LineEstimator.Example(pixels, chain));
+		final LineEstimator.LineEstimate line = LineEstimator.estimate(example,
+			LineModel.Kind.ADDITIVE, 1.8, l -> l.misfit(example), Progress.NONE);
 		final double[] seen = pixels.rescaled(line.background(), line.amplitude()).pixels();
 		final double[] drawn = ModelPicture.of(movie.width(), movie.height(), line.model(), chain)
 			.pixels();
