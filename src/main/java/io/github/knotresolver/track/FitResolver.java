@@ -90,21 +90,21 @@ public final class FitResolver {
 		final FitSolver first = new FitSolver(pools(seen));
 		final FitTrellis.Solved solved = first.solved(progress);
 		if (solved.elsewhere() == 0 || lengths != LengthModel.AUTO)
-			return withLengthOfAll(seen, first);
+			return withLengthOfAll(seen, first, solved);
 		final FitResolver free = new FitResolver(generator, kinds, LengthModel.FREE, workers,
 			progress);
 		return Lengths.found(new FitSolver(free.pools(seen)).solved(progress), seen.course)
 			.map(course -> new FitSolver(pools(seen.withCourse(course))))
 			.filter(again -> again.solved(progress).price() < solved.price() - TrackTuning.HOPELESS)
-			.orElseGet(() -> withLengthOfAll(seen, first));
+			.orElseGet(() -> withLengthOfAll(seen, first, solved));
 	}
 
 	/** The clearest frames may all be too long or too short; all frames together know better. */
-	private FitSolver withLengthOfAll(final Seen seen, final FitSolver first) {
-		return first.lengthOfAll(workers, progress)
+	private FitSolver withLengthOfAll(final Seen seen, final FitSolver first,
+		final FitTrellis.Solved solved) {
+		return first.lengthOfAll(solved.frames(), workers)
 			.map(course -> new FitSolver(pools(seen.withCourse(course))))
-			.filter(again -> again.solved(progress).price() < first.solved(progress).price())
-			.orElse(first);
+			.filter(again -> again.solved(progress).price() < solved.price()).orElse(first);
 	}
 
 	/**

@@ -31,7 +31,7 @@ final class TailExchanges {
 	}
 
 	/**
-	 * @param thorough whether all places are tried, and fitted to the end: for two of which it is
+	 * @param thorough whether two are looked at however seldom they touch, and fitted to the end: it is
 	 *          known that they were exchanged somewhere
 	 */
 	TailExchanges(final SceneLine line, final SceneWeights weights, final Progress progress,

@@ -784,9 +784,6 @@ final class TrackTuning {
 	 */
 	static final double OPEN_DARK = 0.15;
 
-	private TrackTuning() {
-	}
-
 	/**
 	 * [line widths] Parts of a filament are two strands if at least so much of it lies between
 	 * them. Why: within a bend it is near itself, too.
@@ -855,4 +852,7 @@ final class TrackTuning {
 	 * fits stray by this.
 	 */
 	static final double EXCHANGED_ALONG = 0.4;
+
+	private TrackTuning() {
+	}
 }
