@@ -30,8 +30,21 @@ final class Hand extends Robot {
 
 	/** Where the mouse is. */
 	void click() {
-		mousePress(InputEvent.BUTTON1_DOWN_MASK);
-		mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+		clicks(1);
+	}
+
+	/** With nothing waited for in between: a click that comes late is another one. */
+	void doubleClick(final Component component, final double across, final double down)
+		throws Exception {
+		over(component, across, down);
+		clicks(2);
+	}
+
+	private void clicks(final int number) {
+		for (int i = 0; i < number; i++) {
+			mousePress(InputEvent.BUTTON1_DOWN_MASK);
+			mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+		}
 		waitForIdle();
 	}
 

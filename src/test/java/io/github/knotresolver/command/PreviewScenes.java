@@ -12,6 +12,7 @@ import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 
 import ij.ImagePlus;
+import ij.WindowManager;
 import ij.gui.Overlay;
 import ij.gui.PointRoi;
 import ij.gui.Roi;
@@ -83,6 +84,9 @@ final class PreviewScenes {
 
 	private void twoImages() throws Exception {
 		final ImagePlus other = DialogsMain.sample("other"), active = DialogsMain.sample("active");
+		// The other window may be told late that it is active.
+		hand.waitForIdle();
+		WindowManager.setCurrentWindow(active.getWindow());
 		final Dialog dialog = open();
 		seen(dialog, active, 1);
 		Windows.choose(dialog, "Image", "other");

@@ -183,11 +183,10 @@ final class ResultWindowsMain {
 		reached("batch table");
 		final Rectangle cell = table.getCellRect(0, 0, true);
 		final String first = reviewed(out, table.getModel().getValueAt(0, 0).toString());
-		hand.until(first, () -> {
-			hand.click(table, (cell.x + 20.0) / table.getWidth(),
-				(cell.y + 8.0) / table.getHeight());
-			hand.click();
-		}, () -> Windows.shown(first::equals).isPresent());
+		hand.until(first,
+			() -> hand.doubleClick(table, (cell.x + 20.0) / table.getWidth(),
+				(cell.y + 8.0) / table.getHeight()),
+			() -> Windows.shown(first::equals).isPresent());
 		close(Windows.frame(first));
 		reached("batch review");
 		final String second = reviewed(out, table.getModel().getValueAt(1, 0).toString());
