@@ -12,9 +12,6 @@ import java.util.Arrays;
  */
 final class AdditiveTerm implements ImageTerm {
 
-	/** Those of about 30 links. */
-	private static final int FEWEST_ENTRIES = 1 << 12;
-
 	private final DrawnPart part;
 	private final boolean cutOff;
 	private final double[] others;
@@ -24,26 +21,20 @@ final class AdditiveTerm implements ImageTerm {
 	private final double reach;
 	private final Table gauss;
 	private final Table error;
-	private final double density;
 	private final Robust robust;
 
 	private final Strip strip = new Strip();
 
-	// For each pixel of the part; as if nothing was drawn whenever a chain has been looked at.
+	// For each pixel of the part; as if nothing was drawn before a chain is looked at.
 	private Patch patch;
 	private NormalizedFrame frame;
-	private double[] pixels, model, drawn;
+	private double[] pixels, model, drawn, residuals;
 	private int[] head, band;
 	private int bandSize;
 
-	// One entry for each pair of a pixel and a link in reach; none as long as only prices are asked.
-	private int[] next = new int[0];
-	private int[] link = new int[0];
-	private double[] slope = new double[0];
-	private int entries;
-
-	private int[] nodes = new int[64];
-	private double[] jacobian = new double[128];
+	// Not kept as long as only prices are asked; of each link the number of its first share.
+	private final LinkShares shares = new LinkShares();
+	private final int[] first;
 
 	/**
 	 * @param frame the frame, less what is drawn already if all adds up
@@ -65,7 +56,7 @@ final class AdditiveTerm implements ImageTerm {
 		reach = line.reach();
 		gauss = line.across();
 		error = line.along();
-		density = 1 / Math.sqrt(2 * Math.PI * sigma2);
+		first = new int[links + 1];
 		robust = line.robust();
 	}
 
@@ -83,31 +74,40 @@ final class AdditiveTerm implements ImageTerm {
 		head = new int[pixels.length];
 		Arrays.fill(head, -1);
 		band = new int[pixels.length];
+		residuals = new double[pixels.length];
 	}
 
 	@Override
 	public double evaluate(final double[] x, final double[] y, final int links,
-		final NodeSystem system) {
-		accumulate(x, y, links, system != null);
+		final boolean keep) {
+		accumulate(x, y, links, keep);
 		if (!part.isSomewhere())
 			return Double.NaN;
-		if (system != null)
-			system.clear();
 		double sum = 0;
 		for (int b = 0; b < bandSize; b++) {
 			final int at = band[b];
 			final double dark = cutOff ? drawn[at] : 0;
-			final double residual = cutOff
+			residuals[b] = cutOff
 				? pixels[at] - Math.max(dark, Math.min(1, model[at]))
 				: frame.residual(at, pixels[at], model[at]);
-			sum += robust.price(residual) - robust.price(pixels[at] - dark);
-			if (system != null
-				&& (cutOff ? model[at] > dark && model[at] < 1 : !frame.hides(at, model[at])))
-				addPixel(at, residual, system);
-			model[at] = 0;
-			head[at] = -1;
+			sum += robust.price(residuals[b]) - robust.price(pixels[at] - dark);
 		}
 		return sum;
+	}
+
+	@Override
+	public void linearize(final double[] x, final double[] y, final NodeSystem system) {
+		for (int i = 0; i + 1 < first.length; i++) {
+			final double bx = x[i + 1] - x[i], by = y[i + 1] - y[i];
+			final double l = Math.sqrt(bx * bx + by * by);
+			shares.findSlopes(first[i], first[i + 1], l, bx / l, by / l, gauss, sigma2);
+		}
+		system.clear();
+		for (int b = 0; b < bandSize; b++) {
+			final int at = band[b];
+			if (cutOff ? model[at] > drawn[at] && model[at] < 1 : !frame.hides(at, model[at]))
+				shares.addPixel(head[at], robust.weight(residuals[b]), residuals[b], system);
+		}
 	}
 
 	@Override
@@ -124,49 +124,34 @@ final class AdditiveTerm implements ImageTerm {
 			final int at = band[b], there = to.at(at, patch);
 			if (there >= 0)
 				picture[there] = cutOff ? Math.min(1, model[at]) : model[at];
-			model[at] = 0;
-			head[at] = -1;
 		}
-	}
-
-	/** Collects a pixel's entries, joining those of neighbouring links. */
-	private void addPixel(final int at, final double residual, final NodeSystem system) {
-		int count = 0;
-		for (int e = head[at]; e >= 0; e = next[e]) {
-			if (count + 2 > nodes.length) {
-				nodes = Arrays.copyOf(nodes, 2 * nodes.length);
-				jacobian = Arrays.copyOf(jacobian, 2 * jacobian.length);
-			}
-			// The list runs from the last link to the first.
-			if (count == 0 || nodes[count - 1] != link[e] + 1) {
-				nodes[count] = link[e] + 1;
-				jacobian[2 * count] = 0;
-				jacobian[2 * count + 1] = 0;
-				count++;
-			}
-			jacobian[2 * count - 2] += slope[4 * e + 2];
-			jacobian[2 * count - 1] += slope[4 * e + 3];
-			nodes[count] = link[e];
-			jacobian[2 * count] = slope[4 * e];
-			jacobian[2 * count + 1] = slope[4 * e + 1];
-			count++;
-		}
-		system.add(nodes, jacobian, count, robust.weight(residual), residual);
 	}
 
 	private void accumulate(final double[] x, final double[] y, final int links,
-		final boolean slopes) {
-		bandSize = 0;
-		entries = 0;
+		final boolean keep) {
+		clear();
 		look(x, y, links);
-		for (int i = 0; i < links && part.isSomewhere(); i++)
-			visitLink(i, x[i], y[i], x[i + 1], y[i + 1], slopes);
+		for (int i = 0; i < links && part.isSomewhere(); i++) {
+			first[i] = shares.size();
+			visitLink(i, x[i], y[i], x[i + 1], y[i + 1], keep);
+		}
+		first[links] = shares.size();
+	}
+
+	/** Takes off what was drawn last. */
+	private void clear() {
+		for (int b = 0; b < bandSize; b++) {
+			model[band[b]] = 0;
+			head[band[b]] = -1;
+		}
+		bandSize = 0;
+		shares.clear();
 	}
 
 	private void visitLink(final int i, final double ax, final double ay, final double bx,
-		final double by, final boolean slopes) {
+		final double by, final boolean keep) {
 		final double l = Math.sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay));
-		final double ux = (bx - ax) / l, uy = (by - ay) / l;
+		final double ux = (bx - ax) / l, uy = (by - ay) / l, bright = brightness[i];
 		strip.lay(ax, ay, ux, uy, -reach, l + reach, reach);
 		final int lastRow = strip.lastRow();
 		for (int row = strip.firstRow(); row <= lastRow; row++) {
@@ -174,10 +159,12 @@ final class AdditiveTerm implements ImageTerm {
 			final int begin = (row - patch.top()) * patch.width() - patch.left();
 			strip.cut(row);
 			final int lastColumn = strip.lastColumn();
+			if (keep)
+				shares.reserve(patch.width());
 			for (int column = strip.firstColumn(); column <= lastColumn; column++) {
 				final double px = column - ax;
 				final double t = px * ux + py * uy, n = px * -uy + py * ux;
-				final double across = brightness[i] * gauss.at(n * n);
+				final double across = bright * gauss.at(n * n);
 				final double value = across * (cumulative(t) - cumulative(t - l));
 				if (value < FitTuning.DRAWN_DARK)
 					continue;
@@ -185,8 +172,8 @@ final class AdditiveTerm implements ImageTerm {
 				if (head[at] == -1 && model[at] == 0)
 					band[bandSize++] = at;
 				model[at] += value;
-				if (slopes)
-					addEntry(at, i, value, across, t, n, l, ux, uy);
+				if (keep)
+					head[at] = shares.add(i, head[at], value, across, t, n);
 			}
 		}
 	}
@@ -194,31 +181,5 @@ final class AdditiveTerm implements ImageTerm {
 	/** Share of a Gaussian below t. */
 	private double cumulative(final double t) {
 		return t < 0 ? error.at(-t) : 1 - error.at(t);
-	}
-
-	private void addEntry(final int at, final int i, final double value, final double across,
-		final double t, final double n, final double l, final double ux, final double uy) {
-		if (entries == next.length)
-			grow();
-		next[entries] = head[at];
-		link[entries] = i;
-		head[at] = entries;
-		final double begin = across * density * gauss.at(t * t);
-		final double end = across * density * gauss.at((t - l) * (t - l));
-		final double shift = value * n / sigma2, turn = (begin - end) * n / l;
-		final double startAcross = shift * (1 - t / l) - turn, endAcross = shift * t / l + turn;
-		final int s = 4 * entries;
-		slope[s] = startAcross * -uy - begin * ux;
-		slope[s + 1] = startAcross * ux - begin * uy;
-		slope[s + 2] = endAcross * -uy + end * ux;
-		slope[s + 3] = endAcross * ux + end * uy;
-		entries++;
-	}
-
-	private void grow() {
-		final int size = Math.max(FEWEST_ENTRIES, 2 * next.length);
-		next = Arrays.copyOf(next, size);
-		link = Arrays.copyOf(link, size);
-		slope = Arrays.copyOf(slope, 4 * size);
 	}
 }

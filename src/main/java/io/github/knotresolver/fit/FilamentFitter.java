@@ -80,25 +80,21 @@ public final class FilamentFitter {
 			? new ReducedSystem(links, freeLength)
 			: new ChainSystem(links);
 		Chain chain = start;
-		double light = light(chain, nodes);
+		double light = light(chain, true);
 		double energy = light + priors(chain, predicted);
 		double damping = 1e-3, lastGain = Double.POSITIVE_INFINITY;
 		int iteration = 0;
 		while (iteration < settings.iterations()) {
 			Cancellation.check();
+			image.linearize(x, y, nodes);
 			system.reduce(nodes, x, y, chain.linkLength());
 			addPriors(system, chain, predicted);
 			final double before = energy;
 			Chain best = null;
-			boolean linearized = false;
 			for (int attempt = 0; attempt < FitTuning.ATTEMPTS && best == null; attempt++) {
 				Cancellation.check();
 				final Chain trial = step(system, chain, damping, freeLength);
-				// Nearly always the first is taken: then its normal equations are there already.
-				linearized = attempt == 0 && trial != null;
-				final double trialLight = trial == null
-					? Double.NaN
-					: light(trial, linearized ? nodes : null);
+				final double trialLight = trial == null ? Double.NaN : light(trial, true);
 				final double trialEnergy = trial == null
 					? Double.NaN
 					: trialLight + priors(trial, predicted);
@@ -119,8 +115,6 @@ public final class FilamentFitter {
 				- Math.max(gain, lastGain) * (settings.iterations() - iteration) > dearest)
 				break;
 			lastGain = gain;
-			if (!linearized)
-				light(chain, nodes);
 		}
 		return new Fit(chain, light, light + stiffnessAndClamp(chain), iteration);
 	}
@@ -132,13 +126,13 @@ public final class FilamentFitter {
 	 * @return the chain with its prices
 	 */
 	public Fit price(final Chain chain) {
-		final double light = light(chain, null);
+		final double light = light(chain, false);
 		return new Fit(chain, light, light + stiffnessAndClamp(chain), 0);
 	}
 
-	private double light(final Chain chain, final NodeSystem system) {
+	private double light(final Chain chain, final boolean keep) {
 		chain.nodes(x, y);
-		return image.evaluate(x, y, links, system);
+		return image.evaluate(x, y, links, keep);
 	}
 
 	private double priors(final Chain chain, final Optional<Chain> predicted) {

@@ -15,10 +15,20 @@ interface ImageTerm {
 	 * @param x columns of the nodes in pixels
 	 * @param y rows of the nodes
 	 * @param links number of links
-	 * @param system receives the normal equations; null if they are not wanted
+	 * @param keep whether the normal equations may be asked for
 	 * @return the change of the price
 	 */
-	double evaluate(double[] x, double[] y, int links, NodeSystem system);
+	double evaluate(double[] x, double[] y, int links, boolean keep);
+
+	/**
+	 * The normal equations of the chain that was evaluated last: most of a fit's last chains are
+	 * priced only. Only if they were to be kept, and once.
+	 *
+	 * @param x columns of its nodes in pixels
+	 * @param y rows of its nodes
+	 * @param system receives them
+	 */
+	void linearize(double[] x, double[] y, NodeSystem system);
 
 	/**
 	 * Draws the chain as the model sees it.

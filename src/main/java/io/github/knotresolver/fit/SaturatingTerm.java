@@ -30,9 +30,9 @@ final class SaturatingTerm implements ImageTerm {
 	private final double[] others;
 	private final Strip strip = new Strip();
 
-	// For each pixel of the part; distances are reset whenever a chain has been looked at.
+	// For each pixel of the part; distances are reset before a chain is looked at.
 	private Patch patch;
-	private double[] pixels, drawn, distance2, along;
+	private double[] pixels, drawn, distance2, along, value;
 	private int[] link, band;
 	private int bandSize;
 
@@ -69,30 +69,35 @@ final class SaturatingTerm implements ImageTerm {
 		distance2 = new double[size];
 		Arrays.fill(distance2, reach * reach);
 		along = new double[size];
+		value = new double[size];
 		link = new int[size];
 		band = new int[size];
 	}
 
 	@Override
 	public double evaluate(final double[] x, final double[] y, final int links,
-		final NodeSystem system) {
+		final boolean keep) {
 		findBand(x, y, links);
 		if (!part.isSomewhere())
 			return Double.NaN;
-		if (system != null)
-			system.clear();
 		double sum = 0;
 		for (int b = 0; b < bandSize; b++) {
 			final int at = band[b];
-			final int i = link[at];
-			final double value = brightness[i] * profile.at(distance2[at]);
-			final double residual = pixels[at] - Math.max(drawn[at], value);
-			sum += robust.price(residual) - robust.price(pixels[at] - drawn[at]);
-			if (system != null && value > drawn[at])
-				addPixel(at, i, x, y, residual, system);
-			distance2[at] = reach * reach;
+			value[at] = brightness[link[at]] * profile.at(distance2[at]);
+			sum += robust.price(pixels[at] - Math.max(drawn[at], value[at]))
+				- robust.price(pixels[at] - drawn[at]);
 		}
 		return sum;
+	}
+
+	@Override
+	public void linearize(final double[] x, final double[] y, final NodeSystem system) {
+		system.clear();
+		for (int b = 0; b < bandSize; b++) {
+			final int at = band[b];
+			if (value[at] > drawn[at])
+				addPixel(at, link[at], x, y, pixels[at] - value[at], system);
+		}
 	}
 
 	private void addPixel(final int at, final int i, final double[] x, final double[] y,
@@ -148,12 +153,13 @@ final class SaturatingTerm implements ImageTerm {
 			final int at = band[b], there = to.at(at, patch);
 			if (there >= 0)
 				picture[there] = brightness[link[at]] * profile.at(distance2[at]);
-			distance2[at] = reach * reach;
 		}
 	}
 
 	/** Finds, for every pixel within reach, the nearest link and the place on it. */
 	private void findBand(final double[] x, final double[] y, final int links) {
+		for (int b = 0; b < bandSize; b++)
+			distance2[band[b]] = reach * reach;
 		bandSize = 0;
 		look(x, y, links);
 		for (int i = 0; i < links && part.isSomewhere(); i++)

@@ -28,7 +28,8 @@ class ImageTermTest {
 			loop(random).nodes(x, y);
 			final ImageTerm term = ImageTerm.of(frame, model, LINKS);
 			final NodeSystem system = new NodeSystem(LINKS + 1, LINKS);
-			term.evaluate(x, y, LINKS, system);
+			term.evaluate(x, y, LINKS, true);
+			term.linearize(x, y, system);
 			double scale = 0;
 			for (final double v : system.vector)
 				scale = Math.max(scale, Math.abs(v));
@@ -36,14 +37,38 @@ class ImageTermTest {
 				final double[] moved = k % 2 == 0 ? x : y;
 				final double step = 0.002, at = moved[k / 2];
 				moved[k / 2] = at + step;
-				final double up = term.evaluate(x, y, LINKS, null);
+				final double up = term.evaluate(x, y, LINKS, false);
 				moved[k / 2] = at - step;
-				final double down = term.evaluate(x, y, LINKS, null);
+				final double down = term.evaluate(x, y, LINKS, false);
 				moved[k / 2] = at;
 				assertEquals((up - down) / (2 * step), -2 * system.vector[k], 0.05 * scale,
 					kind + ", seed " + seed + ", unknown " + k);
 			}
 		}
+	}
+
+	@ParameterizedTest
+	@EnumSource
+	void normalEquationsDoNotDependOnWhatWasLookedAtBefore(final LineModel.Kind kind) {
+		final Random random = new Random(11);
+		final LineModel model = model(kind);
+		final NormalizedFrame frame = noisyFrame(model, random);
+		final double[] x = new double[LINKS + 1], y = new double[LINKS + 1];
+		final ImageTerm term = ImageTerm.of(frame, model, LINKS);
+		loop(random).nodes(x, y);
+		term.evaluate(x, y, LINKS, true);
+		loop(random).shifted(1.3, -0.4).nodes(x, y);
+		term.evaluate(x, y, LINKS, false);
+		term.draw(x, y, LINKS, new Patch(0, 0, SIZE, SIZE), new double[SIZE * SIZE]);
+		loop(random).nodes(x, y);
+		final NodeSystem used = new NodeSystem(LINKS + 1, LINKS),
+			fresh = new NodeSystem(LINKS + 1, LINKS);
+		linearize(term, x, y, used);
+		linearize(ImageTerm.of(frame, model, LINKS), x, y, fresh);
+		assertArrayEquals(fresh.vector, used.vector);
+		for (int i = 0; i < fresh.size; i++)
+			for (int j = i; j < fresh.size; j++)
+				assertEquals(fresh.get(i, j), used.get(i, j), kind + ", " + i + ", " + j);
 	}
 
 	@ParameterizedTest
@@ -56,7 +81,7 @@ class ImageTermTest {
 		final double[] x = new double[LINKS + 1], y = new double[LINKS + 1];
 		chain.nodes(x, y);
 		final NodeSystem nodes = new NodeSystem(LINKS + 1, LINKS);
-		ImageTerm.of(frame, model, LINKS).evaluate(x, y, LINKS, nodes);
+		linearize(ImageTerm.of(frame, model, LINKS), x, y, nodes);
 		final ReducedSystem reduced = new ReducedSystem(LINKS, true);
 		reduced.reduce(nodes, x, y, chain.linkLength());
 		final double[][] jacobian = jacobian(x, y, chain.linkLength());
@@ -88,7 +113,7 @@ class ImageTermTest {
 			final double[][] steps = new double[2][];
 			for (int s = 0; s < 2; s++) {
 				final NodeSystem nodes = new NodeSystem(LINKS + 1, s == 0 ? LINKS : 1);
-				ImageTerm.of(frame, model, LINKS).evaluate(x, y, LINKS, nodes);
+				linearize(ImageTerm.of(frame, model, LINKS), x, y, nodes);
 				final StepSystem system = s == 0
 					? new ReducedSystem(LINKS, false)
 					: new ChainSystem(LINKS);
@@ -136,6 +161,12 @@ class ImageTermTest {
 					k == 0 ? LineModel.Kind.ADDITIVE : LineModel.Kind.BRIGHTEST, 1.5, 1), LINKS)
 				.draw(x, y, LINKS, Patch.of(dark), pictures[k]);
 		assertArrayEquals(pictures[0], pictures[1], 0.01);
+	}
+
+	private static void linearize(final ImageTerm term, final double[] x, final double[] y,
+		final NodeSystem nodes) {
+		term.evaluate(x, y, LINKS, true);
+		term.linearize(x, y, nodes);
 	}
 
 	private static LineModel model(final LineModel.Kind kind) {
