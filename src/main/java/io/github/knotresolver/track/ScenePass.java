@@ -22,21 +22,29 @@ import io.github.knotresolver.progress.Workers;
  */
 record ScenePass(int start, List<List<Chain>> chains) {
 
-	/** Follows the filaments of a seed forwards and backwards. */
+	/** Follows the filaments of a seed forwards and backwards, both at the same time. */
 	static ScenePass from(final int start, final List<Chain> seed, final SceneLine line,
-		final SceneWeights weights, final Progress progress) {
-		final int n = line.frames().size();
-		final List<List<Chain>> all = new ArrayList<>(Collections.nCopies(n, List.of()));
-		all.set(start, seed);
-		for (final int direction : new int[]{1, -1}) {
-			final SceneTracker tracker = new SceneTracker(line.tables(), weights, line.noise(),
-				seed);
-			for (int t = start + direction; t >= 0 && t < n; t += direction) {
-				progress.checkCancelled();
-				all.set(t, tracker.step(line.frames().get(t)));
-			}
-		}
+		final SceneWeights weights, final Workers workers, final Progress progress) {
+		final List<List<List<Chain>>> ways = workers.map(2,
+			way -> followed(start, 1 - 2 * way, seed, line, weights, progress));
+		final List<List<Chain>> all = new ArrayList<>(ways.get(1));
+		Collections.reverse(all);
+		all.add(seed);
+		all.addAll(ways.get(0));
 		return new ScenePass(start, all);
+	}
+
+	/** The filaments in the frames after the seed's, or in those before it from the last to the first. */
+	private static List<List<Chain>> followed(final int start, final int direction,
+		final List<Chain> seed, final SceneLine line, final SceneWeights weights,
+		final Progress progress) {
+		final SceneTracker tracker = new SceneTracker(line.tables(), weights, line.noise(), seed);
+		final List<List<Chain>> all = new ArrayList<>();
+		for (int t = start + direction; t >= 0 && t < line.frames().size(); t += direction) {
+			progress.checkCancelled();
+			all.add(tracker.step(line.frames().get(t)));
+		}
+		return all;
 	}
 
 	/** The settled filaments as one pass. */

@@ -218,7 +218,7 @@ public final class SceneResolver {
 			used.add(seed.get());
 			if (!seed.get().chains().isEmpty()) {
 				final ScenePass pass = ScenePass.from(seed.get().frame(), seed.get().chains(), line,
-					weights, progress);
+					weights, workers, progress);
 				final PricedPass priced = PricedPass.of(pass, line, workers);
 				passes.add(priced);
 				show(pass, line);
@@ -251,7 +251,7 @@ public final class SceneResolver {
 			passes.add(best);
 		new SceneLengths(line, weights).corrected(best, workers)
 			.or(() -> Optional.of(pass.chains().get(pass.start())).filter(c -> best != first))
-			.map(chains -> ScenePass.from(pass.start(), chains, line, weights, progress))
+			.map(chains -> ScenePass.from(pass.start(), chains, line, weights, workers, progress))
 			.ifPresent(again -> passes.add(PricedPass.of(again, line, workers)));
 		PricedPass.sort(passes);
 	}

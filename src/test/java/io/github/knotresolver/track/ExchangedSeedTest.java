@@ -71,7 +71,8 @@ class ExchangedSeedTest {
 	}
 
 	private static PricedPass followed(final SceneLine line, final List<Chain> seed) {
-		return PricedPass.of(ScenePass.from(START, seed, line, SceneWeights.DEFAULT, Progress.NONE),
+		return PricedPass.of(
+			ScenePass.from(START, seed, line, SceneWeights.DEFAULT, Workers.HERE, Progress.NONE),
 			line, Workers.HERE);
 	}
 
