@@ -6,9 +6,12 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
+import org.apache.commons.math3.stat.descriptive.rank.Median;
+
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.track.PairFit.Two;
 import io.github.knotresolver.track.SceneLengths.Length;
 import io.github.knotresolver.track.SceneLengths.LengthStep;
 import io.github.knotresolver.track.SceneSettler.Settled;
@@ -16,8 +19,9 @@ import io.github.knotresolver.track.TailExchanges.PricedPair;
 
 /**
  * Two filaments one of which gets shorter by what the other gets longer are each other's halves
- * before some frame, or after it. With the lengths of either time their tails are exchanged where
- * that is cheaper; that course is right which is cheapest over the whole movie.
+ * before some frame, or after it; two that cross at a small angle may be that all the time. With the
+ * lengths of either time, or of either halves, their tails are exchanged where that is cheaper; that
+ * course is right which is cheapest over the whole movie.
  */
 final class ExchangedHalves {
 
@@ -37,7 +41,8 @@ final class ExchangedHalves {
 	}
 
 	/**
-	 * The filaments with those mended whose lengths step so. O(frames) for every two.
+	 * The filaments with those mended that are, or may be, each other's halves. O(frames) for every
+	 * two.
 	 *
 	 * @param lengths of all filaments
 	 * @return empty if there are no such two
@@ -45,9 +50,13 @@ final class ExchangedHalves {
 	Optional<List<Settled>> mended(final List<Settled> filaments, final List<Length> lengths) {
 		List<Settled> mended = filaments;
 		for (int i = 0; i < lengths.size(); i++)
-			for (int j = 0; j < i; j++)
-				if (balance(lengths.get(i), lengths.get(j)))
-					mended = mended(mended, i, j, lengths);
+			for (int j = 0; j < i; j++) {
+				final List<double[]> others = balance(lengths.get(i), lengths.get(j))
+					? ofEitherTime(lengths.get(i), lengths.get(j))
+					: exchangedLengths(mended, i, j).stream().toList();
+				if (!others.isEmpty())
+					mended = mended(mended, i, j, others);
+			}
 		return mended == filaments ? Optional.empty() : Optional.of(mended);
 	}
 
@@ -55,14 +64,58 @@ final class ExchangedHalves {
 		return a.step().isPresent() && b.step().filter(a.step().get()::balances).isPresent();
 	}
 
+	private static List<double[]> ofEitherTime(final Length first, final Length second) {
+		final LengthStep a = first.step().orElseThrow(), b = second.step().orElseThrow();
+		return List.of(new double[]{a.before(), b.before()}, new double[]{a.after(), b.after()});
+	}
+
+	/**
+	 * How long two would be as each other's halves, if that explains several frames better and they
+	 * are equally long in all of them: gliders that cross at a small angle and are equally fast.
+	 */
+	private Optional<double[]> exchangedLengths(final List<Settled> filaments, final int i,
+		final int j) {
+		progress.checkCancelled();
+		final int n = line.frames().size(), stride = 1 + (n - 1) / SceneTuning.LENGTH_LOOKS;
+		final List<Two> found = workers
+			.map((n + stride - 1) / stride, k -> halves(filaments, i, j, k * stride)).stream()
+			.flatMap(Optional::stream).toList();
+		if (found.size() < SceneTuning.LENGTH_FEWEST)
+			return Optional.empty();
+		final double[] a = found.stream().mapToDouble(two -> two.a().length()).toArray();
+		final double[] b = found.stream().mapToDouble(two -> two.b().length()).toArray();
+		if (Math.max(SceneLengths.scatter(a), SceneLengths.scatter(b)) > SceneTuning.LENGTH_STEP)
+			return Optional.empty();
+		final double[] lengths = {new Median().evaluate(a), new Median().evaluate(b)};
+		return Optional.of(lengths);
+	}
+
+	/** Two in a frame as each other's halves, if that is something else and explains it better. */
+	private Optional<Two> halves(final List<Settled> filaments, final int i, final int j,
+		final int t) {
+		final Chain a = filaments.get(i).chains().get(t), b = filaments.get(j).chains().get(t);
+		if (!a.comesNear(b, SceneTuning.SWAP_TOUCH))
+			return Optional.empty();
+		final PairFit pair = exchanges.pair(filaments, i, j, t);
+		final double now = pair.price(a, b);
+		return TailSwap.ofAnyLength(a, b).stream()
+			.filter(two -> differs(two.a(), a) && differs(two.a(), b))
+			.map(two -> new Two(two.a(), two.b(), pair.price(two.a(), two.b())))
+			.min(Comparator.comparingDouble(Two::price))
+			.filter(two -> two.price() < now + SceneTuning.EXCHANGE_HOPELESS).map(pair::swept)
+			.filter(two -> pair.price(two.a(), two.b()) < now);
+	}
+
+	private static boolean differs(final Chain other, final Chain chain) {
+		return TailExchanges.shows(Chain.along(other.polyline(), chain.links(), other.length()),
+			chain);
+	}
+
 	private List<Settled> mended(final List<Settled> filaments, final int i, final int j,
-		final List<Length> lengths) {
-		final LengthStep a = lengths.get(i).step().orElseThrow();
-		final LengthStep b = lengths.get(j).step().orElseThrow();
+		final List<double[]> lengths) {
 		final List<PricedPair> courses = new ArrayList<>();
 		courses.add(exchanges.course(filaments, i, j));
-		courses.add(withLengths(filaments, i, j, new double[]{a.before(), b.before()}));
-		courses.add(withLengths(filaments, i, j, new double[]{a.after(), b.after()}));
+		lengths.forEach(l -> courses.add(withLengths(filaments, i, j, l)));
 		courses.sort(Comparator.comparingDouble(PricedPair::price));
 		final List<Settled> best = new ArrayList<>(courses.get(0).filaments());
 		for (final int k : new int[]{i, j})
@@ -113,11 +166,11 @@ final class ExchangedHalves {
 	}
 
 	private static List<Settled> with(final List<Settled> filaments, final int i, final int j,
-		final List<PairFit.Two> two) {
+		final List<Two> two) {
 		final List<Settled> all = new ArrayList<>(filaments);
-		all.set(i, new Settled(two.stream().map(PairFit.Two::a).toList(), filaments.get(i).gap(),
+		all.set(i, new Settled(two.stream().map(Two::a).toList(), filaments.get(i).gap(),
 			filaments.get(i).lengthError()));
-		all.set(j, new Settled(two.stream().map(PairFit.Two::b).toList(), filaments.get(j).gap(),
+		all.set(j, new Settled(two.stream().map(Two::b).toList(), filaments.get(j).gap(),
 			filaments.get(j).lengthError()));
 		return all;
 	}

@@ -138,7 +138,7 @@ final class SceneLengths {
 		return largest.by() == 0 ? Optional.empty() : Optional.of(largest);
 	}
 
-	private static double scatter(final double[] lengths) {
+	static double scatter(final double[] lengths) {
 		final double middle = new Median().evaluate(lengths);
 		return RobustStatistics.MAD_TO_SD * new Median()
 			.evaluate(Arrays.stream(lengths).map(l -> Math.abs(l - middle)).toArray());

@@ -145,7 +145,7 @@ final class TailExchanges {
 			.min(Comparator.comparingDouble(PairFit.Two::price));
 	}
 
-	private static boolean shows(final Chain other, final Chain chain) {
+	static boolean shows(final Chain other, final Chain chain) {
 		return other.farthest(chain) > SceneTuning.VISIBLY_FAR;
 	}
 

@@ -91,8 +91,14 @@ class ExchangedHalvesTest {
 		assertMended(exchanged(0, FRAMES / 2));
 	}
 
+	/** No length steps: each half stays with the other one's. */
 	@Test
-	void lengthsThatStaySayNothing() {
+	void halvesThatAreExchangedInAllFramesAreGivenBack() {
+		assertMended(exchanged(0, FRAMES));
+	}
+
+	@Test
+	void filamentsThatGoStraightThroughEachOtherStay() {
 		assertTrue(mended(exchanged(0, 0)).isEmpty());
 	}
 }
