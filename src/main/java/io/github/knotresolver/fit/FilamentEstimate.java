@@ -41,4 +41,13 @@ public record FilamentEstimate(LineModel model, double amplitude, double length,
 	public FilamentEstimate withFixedEnd(final Point end) {
 		return new FilamentEstimate(model, amplitude, length, lengthError, end, guessed);
 	}
+
+	/**
+	 * @param wasGuessed whether its length is a guess for another reason
+	 * @return the same, whose length may be a guess
+	 */
+	public FilamentEstimate orGuessed(final boolean wasGuessed) {
+		return new FilamentEstimate(model, amplitude, length, lengthError, fixedEnd,
+			guessed || wasGuessed);
+	}
 }

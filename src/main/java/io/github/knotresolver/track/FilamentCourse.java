@@ -36,6 +36,11 @@ record FilamentCourse(FilamentEstimate estimate, AnchorPath anchor, LengthCourse
 		return new FilamentCourse(estimate, anchor, length, other, stiffness);
 	}
 
+	/** The noise in units of another estimate's brightness of a strand. */
+	double noiseOf(final FilamentEstimate other) {
+		return noise * estimate.amplitude() / other.amplitude();
+	}
+
 	FilamentCourse withAnchor(final AnchorPath other) {
 		return new FilamentCourse(estimate, other, length, noise, stiffness);
 	}

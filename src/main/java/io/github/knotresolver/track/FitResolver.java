@@ -1,7 +1,6 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.EnumSet;
 import java.util.HashMap;
@@ -14,14 +13,11 @@ import java.util.TreeMap;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
-import org.apache.commons.math3.stat.descriptive.rank.Median;
-
 import io.github.knotresolver.candidate.CandidateGenerator;
 import io.github.knotresolver.candidate.CandidateQuery;
 import io.github.knotresolver.candidate.CandidateSet;
 import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.fit.FilamentEstimator;
-import io.github.knotresolver.fit.FilamentEstimator.Sighting;
 import io.github.knotresolver.fit.FilamentFitter;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitQuality;
@@ -30,10 +26,10 @@ import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
-import io.github.knotresolver.graph.GraphTuning;
 import io.github.knotresolver.model.Settings.LengthModel;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.track.FilamentLearner.Seen;
 
 /**
  * Our method, with fits: the graph proposes, the fit decides, the trellis settles. Line and
@@ -45,6 +41,7 @@ public final class FitResolver {
 
 	private final CandidateGenerator generator;
 	private final Set<LineModel.Kind> kinds;
+	private final FilamentLearner learner;
 	private final LengthModel lengths;
 	private final Workers workers;
 	private final Progress progress;
@@ -60,6 +57,7 @@ public final class FitResolver {
 		final LengthModel lengths, final Workers workers, final Progress progress) {
 		this.generator = generator;
 		this.kinds = EnumSet.copyOf(kinds);
+		learner = new FilamentLearner(this.kinds, lengths, workers, progress);
 		this.lengths = lengths;
 		this.workers = workers;
 		this.progress = progress;
@@ -78,7 +76,20 @@ public final class FitResolver {
 		return look(frames, fixedEnd, length)
 			.map(seen -> length.isPresent() || lengths == LengthModel.FREE
 				? new FitSolver(pools(seen))
-				: withLengthThatHolds(seen));
+				: settled(seen));
+	}
+
+	private FitSolver settled(final Seen seen) {
+		final FitSolver first = new FitSolver(pools(seen));
+		return learner.again(seen, first)
+			.map(other -> new Again(other, new FitSolver(pools(other))))
+			.filter(again -> again.solver.price(progress) < first.price(progress))
+			.map(again -> withLengthThatHolds(again.seen, again.solver))
+			.orElseGet(() -> withLengthThatHolds(seen, first));
+	}
+
+	/** A movie that was looked at again, and who answers then. */
+	private record Again(Seen seen, FitSolver solver) {
 	}
 
 	/**
@@ -86,14 +97,13 @@ public final class FitResolver {
 	 * lies on itself in nearly all frames may grow or break unseen. There fits of free length say
 	 * how long it is.
 	 */
-	private FitSolver withLengthThatHolds(final Seen seen) {
-		final FitSolver first = new FitSolver(pools(seen));
+	private FitSolver withLengthThatHolds(final Seen seen, final FitSolver first) {
 		final FitTrellis.Solved solved = first.solved(progress);
 		if (solved.elsewhere() == 0 || lengths != LengthModel.AUTO)
 			return withLengthOfAll(seen, first, solved);
 		final FitResolver free = new FitResolver(generator, kinds, LengthModel.FREE, workers,
 			progress);
-		return Lengths.found(new FitSolver(free.pools(seen)).solved(progress), seen.course)
+		return Lengths.found(new FitSolver(free.pools(seen)).solved(progress), seen.course())
 			.map(course -> new FitSolver(pools(seen.withCourse(course))))
 			.filter(again -> again.solved(progress).price() < solved.price() - TrackTuning.HOPELESS)
 			.orElseGet(() -> withLengthOfAll(seen, first, solved));
@@ -120,118 +130,41 @@ public final class FitResolver {
 	public Optional<Track> refine(final List<FrameView> frames, final Track track,
 		final Point fixedEnd, final OptionalDouble length) {
 		return look(frames, fixedEnd, length)
-			.map(seen -> track.fitted(seen.course.estimate(), fitted(seen, track)));
+			.map(seen -> track.fitted(seen.course().estimate(), fitted(seen, track)));
 	}
 
 	/** What the picture confirms, by 1-based frame. */
 	private Map<Integer, Polyline> fitted(final Seen seen, final Track track) {
 		final Map<Integer, Polyline> contours = new HashMap<>();
 		track.frames().forEach(f -> f.contour().ifPresent(c -> contours.put(f.frame(), c)));
-		final List<NormalizedFrame> light = light(seen.frames, seen.course.estimate());
-		final int links = FilamentEstimator.links(seen.course.estimate().length());
-		final List<Fit> fits = workers.map("Fitting the contours", progress, seen.frames.size(),
-			t -> new FitProposals(seen.frames.get(t), seen.course.in(t), links,
-				settings(seen.course).freeLength())
-				.of(contours.get(seen.frames.get(t).frame()),
-					fitter(t, light, seen.course, settings(seen.course)))
+		final List<NormalizedFrame> light = FilamentLearner.light(seen.frames(),
+			seen.course().estimate());
+		final int links = FilamentEstimator.links(seen.course().estimate().length());
+		final List<Fit> fits = workers.map("Fitting the contours", progress, seen.frames().size(),
+			t -> new FitProposals(seen.frames().get(t), seen.course().in(t), links,
+				settings(seen.course()).freeLength())
+				.of(contours.get(seen.frames().get(t).frame()),
+					fitter(t, light, seen.course(), settings(seen.course())))
 				.get(0));
 		final Map<Integer, Polyline> fitted = new TreeMap<>();
 		for (int t = 0; t < fits.size(); t++)
 			if (FitTrellis.isTrusted(
-				FitQuality.of(light.get(t), seen.course.estimate().model(), fits.get(t).chain())))
-				fitted.put(seen.frames.get(t).frame(), fits.get(t).chain().contour());
+				FitQuality.of(light.get(t), seen.course().estimate().model(), fits.get(t).chain())))
+				fitted.put(seen.frames().get(t).frame(), fits.get(t).chain().contour());
 		return fitted;
-	}
-
-	/**
-	 * The frames without bleaching and noise, and what they tell of the filament.
-	 *
-	 * @param endIsDoubtful whether little says that its fixed end moves
-	 */
-	private record Seen(List<FrameView> frames, FilamentCourse course, boolean endIsDoubtful) {
-
-		Seen withNoise(final double noise) {
-			return new Seen(frames, course.withNoise(noise), endIsDoubtful);
-		}
-
-		Seen withCourse(final FilamentCourse other) {
-			return new Seen(frames, other, endIsDoubtful);
-		}
-
-		/** The same, if the fixed end stays where the clearest frames have it. */
-		FilamentCourse still() {
-			return course.withAnchor(AnchorPath.still(course.estimate().fixedEnd(), frames.size()));
-		}
 	}
 
 	private Optional<Seen> look(final List<FrameView> frames, final Point fixedEnd,
 		final OptionalDouble length) {
 		final AnchorPath ends = AnchorPath.follow(frames, fixedEnd, progress);
-		final List<CandidateSet> first = candidates(frames, ends::at, t -> OptionalDouble.empty());
-		final List<FrameView> focused = Focus.known(frames, first);
-		final StrandLight strands = StrandLight.of(focused, first);
-		final List<FrameView> calmed = calmed(focused, strands);
-		// Where focus wanders, every frame has been brought to the same brightness.
-		final List<FrameView> steady = focused == frames
-			? strands.withoutBleaching(calmed)
-			: calmed;
-		final FitSettings endsFree = calmed == focused
-			? FitSettings.ENDS_FREE
-			: FitSettings.ENDS_FREE.withStiffness(FitSettings.NOISY_STIFFNESS);
-		final List<Sighting> sightings = Sightings.choose(steady, first);
-		return sightings.isEmpty()
-			? Optional.empty()
-			: estimate(sightings, fixedEnd, length, endsFree)
-				.map(e -> seen(steady, first, e, ends, length, endsFree)
-					.withNoise(Calming.noise(focused, workers) / e.amplitude()));
-	}
-
-	/** Looks at the open frames to see whether the fixed end moves and the length changes. */
-	private Seen seen(final List<FrameView> frames, final List<CandidateSet> sets,
-		final FilamentEstimate estimate, final AnchorPath ends, final OptionalDouble told,
-		final FitSettings endsFree) {
-		final OpenFrames open = OpenFrames.find(frames, light(frames, estimate), sets, estimate,
-			endsFree, workers, progress);
-		final AnchorPath anchor = ends.settled(open, estimate.fixedEnd());
-		final Lengths length = Lengths.of(open, frames.size(),
-			told.isEmpty() && lengths == LengthModel.AUTO);
-		final FilamentEstimate settled = told.isPresent() ? estimate : length.settle(estimate);
-		return new Seen(
-			frames, new FilamentCourse(settled, anchor,
-				length.course(settled.length(), frames.size()), 0, endsFree.stiffness()),
-			anchor.isDoubtful(open));
-	}
-
-	private static List<NormalizedFrame> light(final List<FrameView> frames,
-		final FilamentEstimate estimate) {
-		return frames.stream().map(f -> f.light().rescaled(0, estimate.amplitude())).toList();
-	}
-
-	private List<FrameView> calmed(final List<FrameView> frames, final StrandLight strands) {
-		final double[] known = Arrays.stream(strands.light()).filter(l -> l > 0).toArray();
-		return known.length == 0
-			? frames
-			: Calming.of(frames, new Median().evaluate(known), workers);
-	}
-
-	private Optional<FilamentEstimate> estimate(final List<Sighting> sightings,
-		final Point fixedEnd, final OptionalDouble length, final FitSettings endsFree) {
-		progress.report("Learning what the filament looks like", 0);
-		// Of what was cut off it is known where: lines that add up can be told, too.
-		final Set<LineModel.Kind> possible = sightings.stream().anyMatch(s -> s.frame().isClipped())
-			? LineModel.UNCLIPPED
-			: kinds;
-		return FilamentEstimator.estimate(sightings, possible, endsFree, workers, progress)
-			.map(e -> length.isPresent() ? e.withLength(length.getAsDouble()) : e)
-			.map(e -> e.fixedEnd().distanceTo(fixedEnd) > GraphTuning.NEAR_CLAMP
-				? e.withFixedEnd(fixedEnd)
-				: e);
+		return learner.look(frames, candidates(frames, ends::at, t -> OptionalDouble.empty()), ends,
+			fixedEnd, length);
 	}
 
 	private FitPools pools(final Seen seen) {
-		final FitPools first = proposed(seen.frames, seen.course);
-		final FitPools best = seen.endIsDoubtful
-			? first.orStill(proposed(seen.frames, seen.still()))
+		final FitPools first = proposed(seen.frames(), seen.course());
+		final FitPools best = seen.endIsDoubtful()
+			? first.orStill(proposed(seen.frames(), seen.still()))
 			: first;
 		final FilamentCourse settled = best.course()
 			.withAnchor(best.course().anchor().refined(best.fits()));
@@ -245,7 +178,7 @@ public final class FitResolver {
 		final boolean free = lengths == LengthModel.FREE;
 		final List<CandidateSet> sets = candidates(frames, course.anchor()::at,
 			t -> free ? OptionalDouble.empty() : OptionalDouble.of(course.in(t).length()));
-		final List<NormalizedFrame> light = light(frames, course.estimate());
+		final List<NormalizedFrame> light = FilamentLearner.light(frames, course.estimate());
 		return new FitPools(frames, light, course, sets, proposals(frames, light, course, sets),
 			settings(course));
 	}

@@ -9,6 +9,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 
+import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.model.Observation;
@@ -73,6 +74,19 @@ public final class FitSolver {
 	/** The course with the length that all frames say together; empty if it is not surely another. */
 	Optional<FilamentCourse> lengthOfAll(final List<Observation> chosen, final Workers workers) {
 		return pools.lengthOfAll(chosen, workers);
+	}
+
+	/** Whether an estimate's length or fixed end is noticeably another than here. */
+	boolean isOtherThan(final FilamentEstimate other) {
+		final FilamentEstimate known = pools.course().estimate();
+		return Math.abs(other.length() / known.length() - 1) > TrackTuning.NOTICEABLE_LENGTH
+			|| other.fixedEnd().distanceTo(known.fixedEnd()) > TrackTuning.STILL_END;
+	}
+
+	/** The movie's price in the frames' units of light squared, by which lines can be compared. */
+	double price(final Progress progress) {
+		final double strand = pools.course().estimate().amplitude();
+		return solved(progress).price() * strand * strand;
 	}
 
 	/** The movie if the user says nothing. */

@@ -1,13 +1,16 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.candidate.Candidate;
 import io.github.knotresolver.candidate.CandidateSet;
 import io.github.knotresolver.contour.ContourBuilder;
 import io.github.knotresolver.fit.FilamentEstimator.Sighting;
+import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.geometry.Crossings;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.progress.Cancellation;
@@ -56,6 +59,28 @@ final class Sightings {
 			return List.of();
 		final List<Seen> whole = seen.stream().filter(Seen::isWhole).toList();
 		return of(whole.size() >= TrackTuning.SIMPLE_FRAMES ? whole : seen);
+	}
+
+	/**
+	 * Frames of a movie that was solved, in which the tip is free; O(frames * length).
+	 *
+	 * @param frames the movie
+	 * @param solved their contours
+	 * @param model what a line looks like
+	 * @return those that are explained best, the best first; none if they are too few
+	 */
+	static List<Sighting> solved(final List<FrameView> frames, final FitTrellis.Solved solved,
+		final LineModel model) {
+		final int[] free = IntStream.range(0, frames.size())
+			.filter(t -> GuessedLength.isTipFree(solved.frames().get(t), model)).toArray();
+		return free.length < TrackTuning.SIMPLE_FRAMES
+			? List.of()
+			: Arrays.stream(free).boxed()
+				.sorted(Comparator
+					.comparingDouble(t -> solved.looks().get(t).orElseThrow().residue().pattern()))
+				.limit(TrackTuning.SIGHTINGS).map(t -> new Sighting(frames.get(t).light(),
+					solved.frames().get(t).contour().orElseThrow()))
+				.toList();
 	}
 
 	private static List<Sighting> of(final List<Seen> seen) {

@@ -4,12 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.Random;
 import java.util.Set;
 import java.util.function.IntFunction;
 import java.util.stream.Collectors;
@@ -27,8 +29,10 @@ import io.github.knotresolver.contour.DiscreteFrechet;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.DrawnMovie;
 import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.fit.LineTables;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
@@ -95,6 +99,36 @@ class FitResolverTest {
 		for (int t = 3; t < truth.size(); t++)
 			assertEquals(LENGTH, found.get(t).contour().orElseThrow().length(), 0.007 * LENGTH,
 				"frame " + t);
+	}
+
+	/** In the three frames that show it clearly something as bright lies before its fixed end. */
+	@Test
+	void inNoiseTheContoursTellWhereTheClearestBeginTooEarly() {
+		final List<Chain> truth = DrawnMovie.waves(14, LENGTH, 1.2);
+		final LineTables line = LineTables.together(LINE);
+		final Random random = new Random(7);
+		final List<FrameView> frames = new ArrayList<>();
+		for (int t = 0; t < truth.size(); t++)
+			frames
+				.add(DrawnFrames.lit(t + 1,
+					DrawnFrames.light(DrawnMovie.SIZE, line,
+						List.of(t < 3 ? begunEarlier(truth.get(t), 4) : truth.get(t))),
+					0.45, random));
+		final List<Observation> found = resolve(frames, only(frames.subList(0, 3)), truth.get(0),
+			Map.of());
+		final double[] off = found.subList(3, truth.size()).stream()
+			.mapToDouble(f -> f.contour().orElseThrow().first().distanceTo(truth.get(0).start()))
+			.toArray();
+		assertTrue(RobustStatistics.median(off) < 1, Arrays.toString(off));
+	}
+
+	private static Chain begunEarlier(final Chain chain, final double by) {
+		final List<Point> points = new ArrayList<>();
+		points.add(new Point(chain.start().x() - by * Math.cos(chain.angle(0)),
+			chain.start().y() - by * Math.sin(chain.angle(0))));
+		for (int i = 0; i < chain.polyline().size(); i++)
+			points.add(chain.polyline().point(i));
+		return Chain.along(Polyline.of(points), chain.links(), chain.length() + by);
 	}
 
 	@ParameterizedTest
