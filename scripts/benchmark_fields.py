@@ -9,7 +9,7 @@ FOREIGN = ("static_cross", "glide_cross", "neigh1", "neigh3")
 NOT_PUBLISHED = ("field512", "field1024")
 SCENE_SETS = {
     "photons 100": {}, "photons 100, brightest strand only": dict(saturating=True),
-    "photons 30": dict(photons=30.), "photons 100, every 2nd frame": dict(step=2),
+    "photons 30": dict(photons=30.), "photons 100, every 2nd frame": dict(step=2), "photons 100, other noise": dict(seed=2),
 }
 SURE = .9
 CONDITION_COLUMNS = (("resolved", "{:.1f}"), ("crossing", "{:.1f}"), ("said_wrong", "{:.1f}"), ("silent", "{:.2f}"),

@@ -28,6 +28,8 @@ public final class FitSolver {
 	private final FitPools pools;
 	private final Map<Restriction, Consequence> known = new ConcurrentHashMap<>();
 	private final List<Map<Fit, FitLook>> looks = new ArrayList<>();
+	/** The movie if nothing was said, once it is solved: several ask for that. */
+	private Optional<FitTrellis.Solved> alone = Optional.empty();
 
 	FitSolver(final FitPools pools) {
 		this.pools = pools;
@@ -96,8 +98,14 @@ public final class FitSolver {
 
 	private FitTrellis.Solved solved(final SortedMap<Integer, Restriction> said,
 		final Progress progress) {
-		return new FitTrellis(pools.frames(), pools.light(), pools.course(), fits(said),
-			pools.sets(), this::look, pools.settings().freeLength()).solve(said, progress);
+		if (said.isEmpty() && alone.isPresent())
+			return alone.get();
+		final FitTrellis.Solved solved = new FitTrellis(pools.frames(), pools.light(),
+			pools.course(), fits(said), pools.sets(), this::look, pools.settings().freeLength())
+			.solve(said, progress);
+		if (said.isEmpty())
+			alone = Optional.of(solved);
+		return solved;
 	}
 
 	private SortedMap<Integer, Restriction> byFrame(final List<Constraint> constraints) {
