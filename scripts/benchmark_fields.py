@@ -141,7 +141,7 @@ def scenes_section(movies, folder, runs, modes, markdown, text):
                     continue
                 result = folder / mode / name
                 figures = scenes.score(truth, str(result / "contours.csv"), str(result / "frames.csv"))
-                rows.append([name.split("_saturating")[0].split("_photons")[0].split("_step")[0], label, f"{figures['result_filaments']} of {figures['filaments']}",
+                rows.append([re.sub(r"_(saturating|photons\d+|step\d+|seed\d+)$", "", name), label, f"{figures['result_filaments']} of {figures['filaments']}",
                              *(text(form, figures[key]) for key, form in SCENE_COLUMNS), text("{:.1f}", float(runs[mode, name]["seconds"]))])
         if rows:
             out.append(f"### {mode}\n\n" + markdown(["scene", "light", "filaments", *SCENE_HEADER, "seconds"], rows))
