@@ -29,7 +29,7 @@ public final class FitSolver {
 	private final Map<Restriction, Consequence> known = new ConcurrentHashMap<>();
 	private final List<Map<Fit, FitLook>> looks = new ArrayList<>();
 	/** The movie if nothing was said, once it is solved: several ask for that. */
-	private Optional<FitTrellis.Solved> alone = Optional.empty();
+	private Optional<FitTrellis.Solved> unsaid = Optional.empty();
 
 	FitSolver(final FitPools pools) {
 		this.pools = pools;
@@ -98,13 +98,13 @@ public final class FitSolver {
 
 	private FitTrellis.Solved solved(final SortedMap<Integer, Restriction> said,
 		final Progress progress) {
-		if (said.isEmpty() && alone.isPresent())
-			return alone.get();
+		if (said.isEmpty() && unsaid.isPresent())
+			return unsaid.get();
 		final FitTrellis.Solved solved = new FitTrellis(pools.frames(), pools.light(),
 			pools.course(), fits(said), pools.sets(), this::look, pools.settings().freeLength())
 			.solve(said, progress);
 		if (said.isEmpty())
-			alone = Optional.of(solved);
+			unsaid = Optional.of(solved);
 		return solved;
 	}
 
