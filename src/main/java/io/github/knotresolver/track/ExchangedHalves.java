@@ -6,9 +6,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
-import org.apache.commons.math3.stat.descriptive.rank.Median;
-
 import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.track.PairFit.Two;
@@ -76,18 +75,16 @@ final class ExchangedHalves {
 	private Optional<double[]> exchangedLengths(final List<Settled> filaments, final int i,
 		final int j) {
 		progress.checkCancelled();
-		final int n = line.frames().size(), stride = 1 + (n - 1) / SceneTuning.LENGTH_LOOKS;
-		final List<Two> found = workers
-			.map((n + stride - 1) / stride, k -> halves(filaments, i, j, k * stride)).stream()
-			.flatMap(Optional::stream).toList();
+		final int[] looks = SceneLengths.looks(line.frames().size());
+		final List<Two> found = workers.map(looks.length, k -> halves(filaments, i, j, looks[k]))
+			.stream().flatMap(Optional::stream).toList();
 		if (found.size() < SceneTuning.LENGTH_FEWEST)
 			return Optional.empty();
 		final double[] a = found.stream().mapToDouble(two -> two.a().length()).toArray();
 		final double[] b = found.stream().mapToDouble(two -> two.b().length()).toArray();
 		if (Math.max(SceneLengths.scatter(a), SceneLengths.scatter(b)) > SceneTuning.LENGTH_STEP)
 			return Optional.empty();
-		final double[] lengths = {new Median().evaluate(a), new Median().evaluate(b)};
-		return Optional.of(lengths);
+		return Optional.of(new double[]{RobustStatistics.median(a), RobustStatistics.median(b)});
 	}
 
 	/** Two in a frame as each other's halves, if that is something else and explains it better. */

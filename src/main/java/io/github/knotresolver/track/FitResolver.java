@@ -100,21 +100,21 @@ public final class FitResolver {
 	private FitSolver withLengthThatHolds(final Seen seen, final FitSolver first) {
 		final FitTrellis.Solved solved = first.solved(progress);
 		if (solved.elsewhere() == 0 || lengths != LengthModel.AUTO)
-			return withLengthOfAll(seen, first, solved);
+			return withLengthOfAll(seen, first);
 		final FitResolver free = new FitResolver(generator, kinds, LengthModel.FREE, workers,
 			progress);
 		return Lengths.found(new FitSolver(free.pools(seen)).solved(progress), seen.course())
 			.map(course -> new FitSolver(pools(seen.withCourse(course))))
 			.filter(again -> again.solved(progress).price() < solved.price() - TrackTuning.HOPELESS)
-			.orElseGet(() -> withLengthOfAll(seen, first, solved));
+			.orElseGet(() -> withLengthOfAll(seen, first));
 	}
 
 	/** The clearest frames may all be too long or too short; all frames together know better. */
-	private FitSolver withLengthOfAll(final Seen seen, final FitSolver first,
-		final FitTrellis.Solved solved) {
-		return first.lengthOfAll(solved.frames(), workers)
+	private FitSolver withLengthOfAll(final Seen seen, final FitSolver first) {
+		return first.lengthOfAll(workers, progress)
 			.map(course -> new FitSolver(pools(seen.withCourse(course))))
-			.filter(again -> again.solved(progress).price() < solved.price()).orElse(first);
+			.filter(again -> again.solved(progress).price() < first.solved(progress).price())
+			.orElse(first);
 	}
 
 	/**

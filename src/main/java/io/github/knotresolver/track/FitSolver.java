@@ -12,7 +12,6 @@ import java.util.concurrent.ConcurrentHashMap;
 import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.model.Constraint;
-import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 
@@ -74,8 +73,8 @@ public final class FitSolver {
 	}
 
 	/** The course with the length that all frames say together; empty if it is not surely another. */
-	Optional<FilamentCourse> lengthOfAll(final List<Observation> chosen, final Workers workers) {
-		return pools.lengthOfAll(chosen, workers);
+	Optional<FilamentCourse> lengthOfAll(final Workers workers, final Progress progress) {
+		return pools.lengthOfAll(solved(progress).frames(), workers);
 	}
 
 	/** Whether an estimate's length or fixed end is noticeably another than here. */

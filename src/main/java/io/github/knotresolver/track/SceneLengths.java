@@ -99,9 +99,9 @@ final class SceneLengths {
 	/** The lengths of some filaments, in their order. */
 	List<Length> of(final ScenePass pass, final List<Integer> which, final boolean[][] clear,
 		final Workers workers) {
-		final int n = pass.chains().size(), stride = 1 + (n - 1) / SceneTuning.LENGTH_LOOKS;
-		final List<double[]> found = workers.map((n + stride - 1) / stride,
-			i -> lengths(pass, which, i * stride, clear));
+		final int[] looks = looks(pass.chains().size());
+		final List<double[]> found = workers.map(looks.length,
+			i -> lengths(pass, which, looks[i], clear));
 		final List<Length> all = new ArrayList<>();
 		for (int i = 0; i < which.size(); i++) {
 			final int filament = i;
@@ -113,6 +113,12 @@ final class SceneLengths {
 				: length(seen));
 		}
 		return all;
+	}
+
+	/** The frames, spread over a movie, in which lengths are measured. */
+	static int[] looks(final int frames) {
+		final int stride = 1 + (frames - 1) / SceneTuning.LENGTH_LOOKS;
+		return IntStream.iterate(0, t -> t < frames, t -> t + stride).toArray();
 	}
 
 	private static Length length(final double[] seen) {

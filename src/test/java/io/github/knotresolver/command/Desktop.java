@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -18,7 +17,7 @@ final class Desktop implements AutoCloseable {
 	 * has already fetched, too: each wait for the robot takes seconds where nothing else is going on,
 	 * and two clicks are no double click any more.
 	 */
-	private static final Map<String, String> AWAKE = Map.of("_AWT_MAX_POLL_TIMEOUT", "10");
+	private static final String SLEEP = "_AWT_MAX_POLL_TIMEOUT", SLEEP_MILLIS = "10";
 
 	private final Process server;
 	private final String display;
@@ -51,9 +50,8 @@ final class Desktop implements AutoCloseable {
 	/** Runs ImageJ's class with this display; returns what it printed. */
 	String run(final Programs programs, final List<String> options, final String... program)
 		throws IOException, InterruptedException {
-		final Map<String, String> environment = new HashMap<>(AWAKE);
-		environment.put("DISPLAY", display);
-		return programs.run(environment, Programs.javaCommand(options, program));
+		return programs.run(Map.of("DISPLAY", display, SLEEP, SLEEP_MILLIS),
+			Programs.javaCommand(options, program));
 	}
 
 	@Override

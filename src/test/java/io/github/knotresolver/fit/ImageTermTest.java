@@ -28,8 +28,7 @@ class ImageTermTest {
 			loop(random).nodes(x, y);
 			final ImageTerm term = ImageTerm.of(frame, model, LINKS);
 			final NodeSystem system = new NodeSystem(LINKS + 1, LINKS);
-			term.evaluate(x, y, LINKS, true);
-			term.linearize(x, y, system);
+			linearize(term, x, y, system);
 			double scale = 0;
 			for (final double v : system.vector)
 				scale = Math.max(scale, Math.abs(v));
