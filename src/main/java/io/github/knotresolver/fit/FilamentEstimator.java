@@ -132,8 +132,7 @@ public final class FilamentEstimator {
 		 */
 		List<Example> towardsLight(final List<Example> examples, final LineEstimate line) {
 			return line.model().kind() != LineModel.Kind.ADDITIVE
-				|| examples.size() < FitTuning.FEWEST_TAPERS
-				|| endsFree.stiffness() != FitSettings.ENDS_FREE.stiffness()
+				|| examples.size() < FitTuning.FEWEST_TAPERS || endsFree.isNoisy()
 					? examples
 					: new TaperedEnds(line, workers).grown(examples);
 		}

@@ -41,6 +41,24 @@ public record FitSettings(double stiffness, double clampWeight, double memory, i
 	}
 
 	/**
+	 * A filament is as stiff in noise as elsewhere: what a bend costs is a share of the noise, as soon
+	 * as that is more than what else a line differs by from its model.
+	 *
+	 * @param noise of a pixel
+	 * @param drowning the noise that drowns single pixels, in the same unit
+	 * @return the same with the price of bending in that noise
+	 */
+	public FitSettings inNoise(final double noise, final double drowning) {
+		final double share = noise / drowning;
+		return withStiffness(Math.max(stiffness, Math.min(1, share * share) * NOISY_STIFFNESS));
+	}
+
+	/** @return whether noise drowns single pixels */
+	public boolean isNoisy() {
+		return stiffness >= NOISY_STIFFNESS;
+	}
+
+	/**
 	 * @param price of leaving the fixed end, per square pixel
 	 * @return the same otherwise
 	 */

@@ -49,7 +49,7 @@ record FilamentLearner(Set<LineModel.Kind> kinds, LengthModel lengths, Workers w
 
 		/** Whether noise drowned single pixels. */
 		boolean isNoisy() {
-			return endsFree.stiffness() != FitSettings.ENDS_FREE.stiffness();
+			return endsFree.isNoisy();
 		}
 	}
 
@@ -98,15 +98,21 @@ record FilamentLearner(Set<LineModel.Kind> kinds, LengthModel lengths, Workers w
 		final List<FrameView> steady = focused == frames
 			? strands.withoutBleaching(calmed)
 			: calmed;
-		final FitSettings endsFree = calmed == focused
+		final double noise = Calming.noise(focused, workers);
+		final FitSettings free = calmed == focused
 			? FitSettings.ENDS_FREE
 			: FitSettings.ENDS_FREE.withStiffness(FitSettings.NOISY_STIFFNESS);
 		final List<Sighting> sightings = Sightings.choose(steady, first);
-		return sightings.isEmpty()
-			? Optional.empty()
-			: estimate(sightings, fixedEnd, length, endsFree)
-				.map(e -> seen(new Look(steady, first, ends, length, endsFree), e)
-					.withNoise(Calming.noise(focused, workers) / e.amplitude()));
+		if (sightings.isEmpty())
+			return Optional.empty();
+		final Optional<FilamentEstimate> bent = estimate(sightings, fixedEnd, length, free);
+		// How strong the noise is beside a strand is known when the strand is.
+		final FitSettings endsFree = calmed == focused && bent.isPresent()
+			? free.inNoise(noise / bent.get().amplitude(), TrackTuning.NOISY)
+			: free;
+		return (endsFree.equals(free) ? bent : estimate(sightings, fixedEnd, length, endsFree))
+			.map(e -> seen(new Look(steady, first, ends, length, endsFree), e)
+				.withNoise(noise / e.amplitude()));
 	}
 
 	/** Looks at the open frames to see whether the fixed end moves and the length changes. */
