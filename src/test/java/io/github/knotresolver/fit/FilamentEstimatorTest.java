@@ -74,6 +74,31 @@ class FilamentEstimatorTest {
 		assertEquals(0, estimate.fixedEnd().distanceTo(new Point(22.4, 55.3)), 1.8);
 	}
 
+	/** Haze a fifth as bright as the filament, where its tip is, in all frames, and noise. */
+	@Test
+	void aFilamentIsNotLedOnIntoHaze() {
+		final double[] hazy = new double[81];
+		Arrays.fill(hazy, 1);
+		Arrays.fill(hazy, 81 - 8, 81, 0.2);
+		final FilamentEstimate estimate = estimate(
+			new LineModel(LineModel.Kind.ADDITIVE, 1.7, 1, hazy), 0.2, f -> f);
+		assertEquals(LENGTH - 8, estimate.length(), 0.03 * LENGTH);
+		assertFalse(estimate.guessed());
+	}
+
+	/** The same haze, out of which the picture's border cuts a piece. */
+	@Test
+	void howLongAFilamentIsThatFadesAtTheBorderIsAGuess() {
+		final double[] hazy = new double[81];
+		Arrays.fill(hazy, 1);
+		Arrays.fill(hazy, 0, 8, 0.2);
+		final int left = 22;
+		final FilamentEstimate estimate = estimate(
+			new LineModel(LineModel.Kind.ADDITIVE, 1.7, 1, hazy), 0.2,
+			f -> f.window(left, 0, f.width() - left, f.height()), new Point(-left, 0));
+		assertTrue(estimate.guessed());
+	}
+
 	/**
 	 * Noise half as strong as the filament, in a haze of clouds several lines wide: compared in units
 	 * of its brightness, the line would be best that looks brightest.
@@ -161,6 +186,12 @@ class FilamentEstimatorTest {
 	/** From contours as skeletons give them: short at both ends, and jagged. */
 	private static FilamentEstimate estimate(final LineModel model, final double noise,
 		final UnaryOperator<NormalizedFrame> camera) {
+		return estimate(model, noise, camera, new Point(0, 0));
+	}
+
+	/** @param shift of what the camera shows, in pixels */
+	private static FilamentEstimate estimate(final LineModel model, final double noise,
+		final UnaryOperator<NormalizedFrame> camera, final Point shift) {
 		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(12, LENGTH, 0.7), List.of(),
 			model, noise, 11);
 		final Random random = new Random(5);
@@ -170,8 +201,8 @@ class FilamentEstimatorTest {
 				.head(LENGTH - 6).reversed().resampled(1);
 			final double[] x = middle.xs(), y = middle.ys();
 			for (int i = 0; i < x.length; i++) {
-				x[i] += 0.3 * random.nextGaussian();
-				y[i] += 0.3 * random.nextGaussian();
+				x[i] += shift.x() + 0.3 * random.nextGaussian();
+				y[i] += shift.y() + 0.3 * random.nextGaussian();
 			}
 			final Polyline jagged = Polyline.of(x, y);
 			sightings.add(new Sighting(camera.apply(drawn.frame(t)), jagged.divided(12)));
@@ -192,6 +223,21 @@ class FilamentEstimatorTest {
 		assertFalse(BrightnessProfile.isBroken(new double[]{0.2, 0.4, 0.9, 1.2, 0.8, 0.3, 0.1}));
 		assertFalse(BrightnessProfile.isBroken(new double[]{0.8, 1.3, 0.5, 1.2, 0.6, 1}));
 		assertFalse(BrightnessProfile.isBroken(new double[]{1}));
+	}
+
+	/** As of curves that were led on into haze at the tip, of a dim tip, and of one that tapers. */
+	@Test
+	void whereAnEndFadesAtOnceTheFilamentEndsBeforeIt() {
+		final double[] hazy = new double[51], dim = new double[51];
+		for (int i = 0; i < hazy.length; i++) {
+			hazy[i] = Math.min(1, 0.2 + 0.16 * (50 - i));
+			dim[i] = 1 - 0.016 * i;
+		}
+		assertEquals(1.875, BrightnessProfile.fadedTip(hazy, 50), 1e-9);
+		assertEquals(2.75, BrightnessProfile.fadedTip(hazy, 100), 1e-9);
+		assertEquals(0, BrightnessProfile.fadedStart(hazy, 50));
+		assertEquals(0, BrightnessProfile.fadedTip(dim, 50));
+		assertEquals(0, BrightnessProfile.fadedTip(new double[]{1}, 50));
 	}
 
 	@Test
