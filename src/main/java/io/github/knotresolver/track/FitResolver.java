@@ -79,8 +79,24 @@ public final class FitResolver {
 				: settled(seen));
 	}
 
+	/**
+	 * A length that changes must explain the movie better than one that does not: haze that an end
+	 * comes into looks like growth.
+	 */
 	private FitSolver settled(final Seen seen) {
 		final FitSolver first = new FitSolver(pools(seen));
+		final FilamentCourse course = seen.course();
+		if (course.length().kind() == LengthCourse.Kind.CONSTANT)
+			return settled(seen, first);
+		final LengthCourse level = course.length().levelled();
+		final Seen same = seen.withCourse(course.withLength(level)
+			.withEstimate(course.estimate().withLength(level.of(0), Double.NaN)));
+		final FitSolver other = new FitSolver(pools(same));
+		return first.solved(progress).price() < other.solved(progress).price()
+			- TrackTuning.HOPELESS ? settled(seen, first) : settled(same, other);
+	}
+
+	private FitSolver settled(final Seen seen, final FitSolver first) {
 		return learner.again(seen, first)
 			.map(other -> new Again(other, new FitSolver(pools(other))))
 			.filter(again -> again.solver.price(progress) < first.price(progress))

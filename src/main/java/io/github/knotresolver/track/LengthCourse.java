@@ -66,6 +66,11 @@ record LengthCourse(double[] lengths, double[] others, Kind kind, int at) {
 		return sorted[sorted.length - 1] / sorted[0] - 1 > TrackTuning.LENGTH_CHANGE;
 	}
 
+	/** The same in all frames: as long as it is in the middle of them. */
+	LengthCourse levelled() {
+		return constant(RobustStatistics.median(lengths, 0), lengths.length);
+	}
+
 	/** The shortest that a course may be, of lengths that were seen: a tenth of the least. */
 	static double least(final double[] seen) {
 		return 0.1 * Arrays.stream(seen).min().orElse(1);

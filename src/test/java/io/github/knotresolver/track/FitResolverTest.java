@@ -242,6 +242,27 @@ class FitResolverTest {
 				"frame " + t);
 	}
 
+	/** Haze beyond its tip, which is the brighter the later. */
+	@Test
+	void aFilamentWhoseTipComesIntoHazeDoesNotGrow() {
+		final List<Chain> truth = DrawnMovie.waves(14, LENGTH, 1.2);
+		final LineTables line = LineTables.together(LINE);
+		final Random random = new Random(7);
+		final List<FrameView> frames = new ArrayList<>();
+		for (int t = 0; t < truth.size(); t++) {
+			final double[] light = DrawnFrames.light(DrawnMovie.SIZE, line, List.of(truth.get(t)));
+			final double[] longer = DrawnFrames.light(DrawnMovie.SIZE, line,
+				List.of(truth.get(t).resized(LENGTH + 6)));
+			for (int i = 0; i < light.length; i++)
+				light[i] += 0.5 * t / truth.size() * (longer[i] - light[i]);
+			frames.add(DrawnFrames.lit(t + 1, light, 0.1, random));
+		}
+		final double[] lengths = resolve(frames, TrailCandidates.DEFAULT, truth.get(0), Map.of())
+			.stream().mapToDouble(f -> f.contour().orElseThrow().length()).toArray();
+		for (int t = 0; t < truth.size(); t++)
+			assertEquals(lengths[0], lengths[t], 0.1, "frame " + t);
+	}
+
 	/** Out of its clamp into a ring, which turns, and on which it lies for more than a turn if long. */
 	private static Chain ring(final double length, final double turned) {
 		final List<Point> points = new ArrayList<>();
