@@ -67,39 +67,6 @@ final class BrightnessProfile {
 		return Math.max(brightness[0], brightness[brightness.length - 1]) > FitTuning.BRIGHT_END;
 	}
 
-	/**
-	 * How far from the tip light is no more than what lies beyond it: there the brightness falls,
-	 * within a few line widths, to a fraction of what it was. A dim tip is reached slowly, and how
-	 * blunt the end of a line is belongs to the line.
-	 *
-	 * @param brightness relative brightness at equal spacing, at least one value
-	 * @param length of the filament in pixels
-	 * @return distance from the tip in pixels at which the brightness is half of what it is before
-	 *         it falls; 0 if it does not
-	 */
-	static double fadedTip(final double[] brightness, final double length) {
-		final int last = brightness.length - 1;
-		final double spacing = length / Math.max(1, last);
-		final double before = brightness[Math.max(0,
-			last - (int) Math.rint(FitTuning.THIRD_END_KNOT / spacing))];
-		if (brightness[last] > FitTuning.FADED_END * before)
-			return 0;
-		int at = last;
-		while (brightness[at] < 0.5 * before)
-			at--;
-		final double share = (0.5 * before - brightness[at])
-			/ (brightness[at + 1] - brightness[at]);
-		return (last - at - share) * spacing;
-	}
-
-	/** The same of the fixed end. */
-	static double fadedStart(final double[] brightness, final double length) {
-		final double[] reversed = new double[brightness.length];
-		for (int i = 0; i < reversed.length; i++)
-			reversed[i] = brightness[brightness.length - 1 - i];
-		return fadedTip(reversed, length);
-	}
-
 	private double[] estimate() {
 		final double weight = FitTuning.PROFILE_HOLD * examples.size();
 		final double[] even = evenKnots();

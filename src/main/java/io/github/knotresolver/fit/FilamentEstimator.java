@@ -6,7 +6,6 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
 import java.util.stream.IntStream;
 
 import io.github.knotresolver.fit.LineEstimator.Example;
@@ -14,7 +13,6 @@ import io.github.knotresolver.fit.LineEstimator.LineEstimate;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.geometry.RobustStatistics;
-import io.github.knotresolver.image.LineAppearance;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 
@@ -219,17 +217,6 @@ public final class FilamentEstimator {
 			return line.misfitBesidesNoise(examples);
 		}
 
-		/** Whether an end is within a line's width of the picture's border, or outside, in most frames. */
-		boolean isAtBorder(final Function<Chain, Point> end) {
-			final double width = LineAppearance.FULL_WIDTH * line.model().sigma();
-			final long near = examples.stream().filter(e -> {
-				final Point at = end.apply(e.chain());
-				return Math.min(Math.min(at.x(), e.frame().width() - 1 - at.x()),
-					Math.min(at.y(), e.frame().height() - 1 - at.y())) < width;
-			}).count();
-			return 2 * near > examples.size();
-		}
-
 		FilamentEstimate summary() {
 			return FilamentEstimator.summary(examples, line, guessed);
 		}
@@ -305,24 +292,15 @@ public final class FilamentEstimator {
 	 * on into haze there. Where that goes on to the border of the picture, the ends are a guess.
 	 */
 	private static Learned withoutHaze(final Learned learned, final Fitting fitting) {
-		final double[] brightness = learned.line.model().brightness();
-		final double length = usualLength(learned.examples);
-		final double tip = BrightnessProfile.fadedTip(brightness, length);
-		final double start = BrightnessProfile.fadedStart(brightness, length);
-		if (Math.max(tip, start) == 0)
+		final FadedEnds ends = FadedEnds.of(learned.line.model().brightness(),
+			usualLength(learned.examples));
+		if (ends.areNone())
 			return learned;
-		final List<Example> shorter = learned.examples.stream()
-			.map(e -> new Example(e.frame(), shorter(e.chain(), start, tip))).toList();
+		final List<Example> shorter = ends.cutFrom(learned.examples);
 		final LineEstimate line = learned.line.withModel(
 			learned.line.model().withBrightness(BrightnessProfile.estimate(shorter, learned.line)));
 		return new Learned(fitting.again(shorter, line, false), line,
-			learned.guessed || start > 0 && learned.isAtBorder(Chain::start)
-				|| tip > 0 && learned.isAtBorder(Chain::tip));
-	}
-
-	private static Chain shorter(final Chain chain, final double start, final double tip) {
-		final Chain cut = chain.resized(chain.length() - tip).reversed();
-		return cut.resized(cut.length() - start).reversed();
+			learned.guessed || ends.areAtBorder(learned.examples, learned.line.model().sigma()));
 	}
 
 	private static boolean isLine(final LineEstimate line) {

@@ -233,11 +233,11 @@ class FilamentEstimatorTest {
 			hazy[i] = Math.min(1, 0.2 + 0.16 * (50 - i));
 			dim[i] = 1 - 0.016 * i;
 		}
-		assertEquals(1.875, BrightnessProfile.fadedTip(hazy, 50), 1e-9);
-		assertEquals(2.75, BrightnessProfile.fadedTip(hazy, 100), 1e-9);
-		assertEquals(0, BrightnessProfile.fadedStart(hazy, 50));
-		assertEquals(0, BrightnessProfile.fadedTip(dim, 50));
-		assertEquals(0, BrightnessProfile.fadedTip(new double[]{1}, 50));
+		assertEquals(1.875, FadedEnds.of(hazy, 50).tip(), 1e-9);
+		assertEquals(2.75, FadedEnds.of(hazy, 100).tip(), 1e-9);
+		assertEquals(0, FadedEnds.of(hazy, 50).start());
+		assertEquals(0, FadedEnds.of(dim, 50).tip());
+		assertEquals(0, FadedEnds.of(new double[]{1}, 50).tip());
 	}
 
 	@Test
