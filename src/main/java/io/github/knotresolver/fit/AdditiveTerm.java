@@ -12,29 +12,35 @@ import java.util.Arrays;
  */
 final class AdditiveTerm implements ImageTerm {
 
+	/** [px] Lengths that are the same multiple of this are the same: about a millionth. */
+	private static final double SAME_LENGTH = 0x1p-20;
+
 	private final DrawnPart part;
 	private final boolean cutOff;
 	private final double[] others;
 	private final int width;
 	private final double[] brightness;
-	private final double sigma2;
 	private final double reach;
+	private final LineTables line;
 	private final Table gauss;
-	private final Table error;
 	private final Robust robust;
 
 	private final Strip strip = new Strip();
 
-	// For each pixel of the part; as if nothing was drawn before a chain is looked at.
+	// For each pixel of the part; as if nothing was drawn before a chain is looked at. Heads and
+	// residuals are made for those who ask for more than the picture.
 	private Patch patch;
 	private NormalizedFrame frame;
 	private double[] pixels, model, drawn, residuals;
 	private int[] head, band;
 	private int bandSize;
 
-	// Not kept as long as only prices are asked; of each link the number of its first share.
-	private final LinkShares shares = new LinkShares();
-	private final int[] first;
+	/** Not kept as long as only prices are asked. */
+	private final LinkShares shares;
+
+	/** Light of a link, by the distance from its middle along it: of the length drawn last. */
+	private Table box;
+	private double boxLength = Double.NaN;
 
 	/**
 	 * @param frame the frame, less what is drawn already if all adds up
@@ -52,12 +58,11 @@ final class AdditiveTerm implements ImageTerm {
 		brightness = line.model().brightnessOfLinks(links);
 		for (int i = 0; cutOff && i < links; i++)
 			brightness[i] *= line.model().power();
-		sigma2 = line.model().sigma() * line.model().sigma();
 		reach = line.reach();
+		this.line = line;
 		gauss = line.across();
-		error = line.along();
-		first = new int[links + 1];
 		robust = line.robust();
+		shares = new LinkShares(gauss, line.model().sigma() * line.model().sigma(), links);
 	}
 
 	private void look(final double[] x, final double[] y, final int links) {
@@ -71,10 +76,9 @@ final class AdditiveTerm implements ImageTerm {
 		drawn = cutOff && others.length > 0
 			? patch.cut(others, width)
 			: new double[cutOff ? pixels.length : 0];
-		head = new int[pixels.length];
-		Arrays.fill(head, -1);
+		head = new int[0];
 		band = new int[pixels.length];
-		residuals = new double[pixels.length];
+		residuals = new double[0];
 	}
 
 	@Override
@@ -83,6 +87,8 @@ final class AdditiveTerm implements ImageTerm {
 		accumulate(x, y, links, keep);
 		if (!part.isSomewhere())
 			return Double.NaN;
+		if (residuals.length == 0)
+			residuals = new double[pixels.length];
 		double sum = 0;
 		for (int b = 0; b < bandSize; b++) {
 			final int at = band[b];
@@ -97,11 +103,6 @@ final class AdditiveTerm implements ImageTerm {
 
 	@Override
 	public void linearize(final double[] x, final double[] y, final NodeSystem system) {
-		for (int i = 0; i + 1 < first.length; i++) {
-			final double bx = x[i + 1] - x[i], by = y[i + 1] - y[i];
-			final double l = Math.sqrt(bx * bx + by * by);
-			shares.findSlopes(first[i], first[i + 1], l, bx / l, by / l, gauss, sigma2);
-		}
 		system.clear();
 		for (int b = 0; b < bandSize; b++) {
 			final int at = band[b];
@@ -131,18 +132,20 @@ final class AdditiveTerm implements ImageTerm {
 		final boolean keep) {
 		clear();
 		look(x, y, links);
-		for (int i = 0; i < links && part.isSomewhere(); i++) {
-			first[i] = shares.size();
-			visitLink(i, x[i], y[i], x[i + 1], y[i + 1], keep);
+		if (keep && part.isSomewhere() && head.length == 0) {
+			head = new int[pixels.length];
+			Arrays.fill(head, -1);
 		}
-		first[links] = shares.size();
+		for (int i = 0; i < links && part.isSomewhere(); i++)
+			visitLink(i, x[i], y[i], x[i + 1], y[i + 1], keep);
 	}
 
 	/** Takes off what was drawn last. */
 	private void clear() {
 		for (int b = 0; b < bandSize; b++) {
 			model[band[b]] = 0;
-			head[band[b]] = -1;
+			if (head.length > 0)
+				head[band[b]] = -1;
 		}
 		bandSize = 0;
 		shares.clear();
@@ -151,7 +154,10 @@ final class AdditiveTerm implements ImageTerm {
 	private void visitLink(final int i, final double ax, final double ay, final double bx,
 		final double by, final boolean keep) {
 		final double l = Math.sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay));
-		final double ux = (bx - ax) / l, uy = (by - ay) / l, bright = brightness[i];
+		final double ux = (bx - ax) / l, uy = (by - ay) / l, bright = brightness[i], half = l / 2;
+		takeBox(l);
+		if (keep)
+			shares.begin(i, l, ux, uy);
 		strip.lay(ax, ay, ux, uy, -reach, l + reach, reach);
 		final int lastRow = strip.lastRow();
 		for (int row = strip.firstRow(); row <= lastRow; row++) {
@@ -165,11 +171,11 @@ final class AdditiveTerm implements ImageTerm {
 				final double px = column - ax;
 				final double t = px * ux + py * uy, n = px * -uy + py * ux;
 				final double across = bright * gauss.at(n * n);
-				final double value = across * (cumulative(t) - cumulative(t - l));
+				final double value = across * box.at(Math.abs(t - half));
 				if (value < FitTuning.DRAWN_DARK)
 					continue;
 				final int at = begin + column;
-				if (head[at] == -1 && model[at] == 0)
+				if (model[at] == 0)
 					band[bandSize++] = at;
 				model[at] += value;
 				if (keep)
@@ -178,8 +184,12 @@ final class AdditiveTerm implements ImageTerm {
 		}
 	}
 
-	/** Share of a Gaussian below t. */
-	private double cumulative(final double t) {
-		return t < 0 ? error.at(-t) : 1 - error.at(t);
+	/** All links of a chain are equally long, but for rounding. */
+	private void takeBox(final double length) {
+		final double rounded = Math.rint(length / SAME_LENGTH) * SAME_LENGTH;
+		if (rounded != boxLength) {
+			box = line.link(rounded);
+			boxLength = rounded;
+		}
 	}
 }

@@ -51,6 +51,11 @@ public final class FilamentFitter {
 		y = new double[links + 1];
 	}
 
+	/** @return number of links of all chains it fits */
+	public int links() {
+		return links;
+	}
+
 	/**
 	 * The best chain near a start: of the same length, unless the settings let the length
 	 * go.

@@ -16,6 +16,9 @@ public final class LineTables {
 	/** Curves of so many lines are kept: of a movie, and of those tried while it is learned. */
 	private static final int KEPT = 16;
 
+	/** Entries of a link's table, which is made anew for each length of links. */
+	private static final int LINK_TABLE = 256;
+
 	/** Making them takes as long as a fit. They are functions of their keys alone. */
 	private static final Map<Key, Curves> KNOWN = Collections
 		.synchronizedMap(new LinkedHashMap<>(2 * KEPT, 0.75f, true) {
@@ -88,6 +91,25 @@ public final class LineTables {
 		return model.kind() == LineModel.Kind.ADDITIVE
 			? this
 			: new LineTables(LineModel.uniform(LineModel.Kind.ADDITIVE, model.sigma(), 1), robust);
+	}
+
+	/**
+	 * What a link gives to pixels beside it, as a share of what an infinite line does, of lines
+	 * that add up.
+	 *
+	 * @param length of the link in pixels
+	 * @return the share by the distance from the link's middle, along it
+	 */
+	Table link(final double length) {
+		final Table beyond = curves.along;
+		final double half = length / 2;
+		return new Table(LINK_TABLE, reach + half,
+			d -> share(beyond, d - half) - share(beyond, d + half));
+	}
+
+	/** Share of a Gaussian beyond a distance, which may be negative. */
+	private static double share(final Table beyond, final double distance) {
+		return distance < 0 ? 1 - beyond.at(-distance) : beyond.at(distance);
 	}
 
 	Robust robust() {

@@ -12,25 +12,56 @@ final class LinkShares {
 	/** Those of about 30 links. */
 	private static final int FEWEST = 1 << 12;
 
+	/** Numbers of an entry: what was drawn, its part across the link, and where the pixel is. */
+	private static final int VALUE = 0, ACROSS = 1, ALONG = 2, BESIDE = 3, NUMBERS = 4;
+
+	private final Table gauss;
+	private final double perSigma2;
+	private final double density;
+
 	private int size;
 	private int[] link = {}, next = {};
+	/** Of each entry one after the other: they are asked for together. */
+	private double[] entries = {};
 
-	// What was drawn: the value, its part across the link, and where the pixel is.
-	private double[] value = {}, across = {}, along = {}, beside = {};
-
-	// Slopes by the nodes of the link.
-	private double[] startX = {}, startY = {}, endX = {}, endY = {};
+	// Of each link of the chain that was drawn: its length, and its direction, a unit vector.
+	private final double[] length, perLength, directionX, directionY;
 
 	private int[] nodes = new int[64];
 	private double[] jacobian = new double[128];
+
+	/**
+	 * @param gauss of the squared distance
+	 * @param sigma2 square of its width
+	 * @param links of the chains to come
+	 */
+	LinkShares(final Table gauss, final double sigma2, final int links) {
+		this.gauss = gauss;
+		perSigma2 = 1 / sigma2;
+		density = 1 / Math.sqrt(2 * Math.PI * sigma2);
+		length = new double[links];
+		perLength = new double[links];
+		directionX = new double[links];
+		directionY = new double[links];
+	}
 
 	void clear() {
 		size = 0;
 	}
 
-	/** @return how many entries there are */
-	int size() {
-		return size;
+	/**
+	 * Entries of a link are going to come.
+	 *
+	 * @param i the link
+	 * @param l its length
+	 * @param ux its direction, a unit vector
+	 * @param uy its direction
+	 */
+	void begin(final int i, final double l, final double ux, final double uy) {
+		length[i] = l;
+		perLength[i] = 1 / l;
+		directionX[i] = ux;
+		directionY[i] = uy;
 	}
 
 	/** Makes room for so many entries more. */
@@ -40,14 +71,7 @@ final class LinkShares {
 		final int room = Math.max(FEWEST, Math.max(size + more, 2 * next.length));
 		link = Arrays.copyOf(link, room);
 		next = Arrays.copyOf(next, room);
-		value = Arrays.copyOf(value, room);
-		across = Arrays.copyOf(across, room);
-		along = Arrays.copyOf(along, room);
-		beside = Arrays.copyOf(beside, room);
-		startX = new double[room];
-		startY = new double[room];
-		endX = new double[room];
-		endY = new double[room];
+		entries = Arrays.copyOf(entries, NUMBERS * room);
 	}
 
 	/**
@@ -63,48 +87,14 @@ final class LinkShares {
 	 */
 	int add(final int ofLink, final int before, final double light, final double profile,
 		final double t, final double n) {
-		final int e = size++;
+		final int e = size++, at = NUMBERS * e;
 		link[e] = ofLink;
 		next[e] = before;
-		value[e] = light;
-		across[e] = profile;
-		along[e] = t;
-		beside[e] = n;
+		entries[at + VALUE] = light;
+		entries[at + ACROSS] = profile;
+		entries[at + ALONG] = t;
+		entries[at + BESIDE] = n;
 		return e;
-	}
-
-	/**
-	 * Finds the slopes of the entries of one link.
-	 *
-	 * @param from the first
-	 * @param to the last and 1
-	 * @param l length of the link
-	 * @param ux its direction, a unit vector
-	 * @param uy its direction
-	 * @param gauss of the squared distance
-	 * @param sigma2 square of its width
-	 */
-	void findSlopes(final int from, final int to, final double l, final double ux, final double uy,
-		final Table gauss, final double sigma2) {
-		final double density = 1 / Math.sqrt(2 * Math.PI * sigma2);
-		for (int e = from; e < to; e++) {
-			final double t = along[e];
-			startX[e] = gauss.at(t * t);
-			endX[e] = gauss.at((t - l) * (t - l));
-		}
-		// All at the same index: Java's compiler takes several at a time.
-		for (int e = from; e < to; e++) {
-			final double begin = across[e] * density * startX[e];
-			final double end = across[e] * density * endX[e];
-			final double shift = value[e] * beside[e] / sigma2;
-			final double turn = (begin - end) * beside[e] / l;
-			final double startAcross = shift * (1 - along[e] / l) - turn;
-			final double endAcross = shift * along[e] / l + turn;
-			startX[e] = startAcross * -uy - begin * ux;
-			startY[e] = startAcross * ux - begin * uy;
-			endX[e] = endAcross * -uy + end * ux;
-			endY[e] = endAcross * ux + end * uy;
-		}
 	}
 
 	/**
@@ -127,13 +117,25 @@ final class LinkShares {
 				jacobian[2 * count + 1] = 0;
 				count++;
 			}
-			jacobian[2 * count - 2] += endX[e];
-			jacobian[2 * count - 1] += endY[e];
 			nodes[count] = link[e];
-			jacobian[2 * count] = startX[e];
-			jacobian[2 * count + 1] = startY[e];
+			addSlopes(e, 2 * count);
 			count++;
 		}
 		system.add(nodes, jacobian, count, weight, residual);
+	}
+
+	/** Adds how an entry changes with its link's end, and sets how it does with its start. */
+	private void addSlopes(final int e, final int start) {
+		final int i = link[e], at = NUMBERS * e;
+		final double l = length[i], ux = directionX[i], uy = directionY[i];
+		final double across = entries[at + ACROSS] * density, t = entries[at + ALONG];
+		final double n = entries[at + BESIDE], perL = perLength[i];
+		final double begin = across * gauss.at(t * t), end = across * gauss.at((t - l) * (t - l));
+		final double shift = entries[at + VALUE] * n * perSigma2, turn = (begin - end) * n * perL;
+		final double endAcross = shift * t * perL + turn, startAcross = shift - endAcross;
+		jacobian[start - 2] += endAcross * -uy + end * ux;
+		jacobian[start - 1] += endAcross * ux + end * uy;
+		jacobian[start] = startAcross * -uy - begin * ux;
+		jacobian[start + 1] = startAcross * ux - begin * uy;
 	}
 }

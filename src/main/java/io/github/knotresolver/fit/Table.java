@@ -12,13 +12,19 @@ final class Table {
 
 	private static final int SIZE = 1024;
 
-	private final double[] values = new double[SIZE + 2];
+	private final double[] values;
 	private final double limit;
 	private final double scale;
 
 	Table(final double limit, final DoubleUnaryOperator function) {
+		this(SIZE, limit, function);
+	}
+
+	/** A table that is soon made, of a function that is smooth: a quarter of the size, if need be. */
+	Table(final int size, final double limit, final DoubleUnaryOperator function) {
+		values = new double[size + 2];
 		this.limit = limit;
-		this.scale = SIZE / limit;
+		this.scale = size / limit;
 		for (int i = 0; i < values.length; i++)
 			values[i] = function.applyAsDouble(i / scale);
 	}

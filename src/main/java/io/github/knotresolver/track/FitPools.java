@@ -55,11 +55,11 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 
 	/** @return the fitter of a frame */
 	FilamentFitter fitter(final int t) {
-		return fitter(t, settings);
+		return fitter(t, settings, links());
 	}
 
-	private FilamentFitter fitter(final int t, final FitSettings weights) {
-		return new FilamentFitter(light.get(t), course.estimate().model(), links(),
+	private FilamentFitter fitter(final int t, final FitSettings weights, final int links) {
+		return new FilamentFitter(light.get(t), course.estimate().model(), links,
 			Optional.of(course.anchor().at(t)), weights.withClampWeight(course.anchor().weight(t)));
 	}
 
@@ -91,8 +91,38 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 				.withLength(LengthCourse.constant(c.length(), chosen.size())));
 	}
 
+	/**
+	 * The same contours as long as the filament is on another course, fitted again: much less work
+	 * than to find them anew, and where the length is hardly another one finds the same. What is too
+	 * dear to be chosen stays as it was found. O(frames * fits * length).
+	 *
+	 * @param other the same line and fixed end, another constant length
+	 * @param workers threads
+	 * @param progress asked whether to stop
+	 */
+	FitPools withCourse(final FilamentCourse other, final Workers workers,
+		final Progress progress) {
+		final FitPools empty = new FitPools(frames, light, other, sets, fits, settings);
+		return new FitPools(frames, light, other, sets,
+			workers.map("Fitting the contours", progress, fits.size(), empty::again), settings);
+	}
+
+	private List<Fit> again(final int t) {
+		final FilamentFitter fitter = fitter(t);
+		final double dearest = TrackTuning.COURSE_HOPELESS
+			+ fits.get(t).stream().mapToDouble(Fit::energy).min().orElse(0);
+		final FitPool pool = new FitPool();
+		for (final Fit fit : fits.get(t)) {
+			final Chain resized = fit.chain().resized(course.length().of(t)).divided(links());
+			pool.add(fit.energy() < dearest
+				? fitter.fit(resized, Optional.empty(), dearest)
+				: fitter.price(resized));
+		}
+		return pool.fits();
+	}
+
 	private double freeLength(final int t, final Polyline contour) {
-		return fitter(t, settings.withFreeLength(true))
+		return fitter(t, settings.withFreeLength(true), links())
 			.fit(Chain.along(contour, links(), contour.length()), Optional.empty()).chain()
 			.length();
 	}
@@ -106,7 +136,8 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 		final List<Fit> atHand = met(fits.get(t), said);
 		return atHand.isEmpty()
 			? met(proposals.of(sets.get(t), fitter(t),
-				fitter(t, settings.roughAndStiff(FitSettings.START_STIFFNESS)),
+				fitter(t, settings.roughAndStiff(FitSettings.START_STIFFNESS),
+					FitProposals.stiffLinks(links())),
 				said::isNearlyMetBy), said)
 			: atHand;
 	}

@@ -29,6 +29,11 @@ import io.github.knotresolver.geometry.Polyline;
  */
 record FitProposals(FrameView frame, FilamentEstimate estimate, int links, boolean freeLength) {
 
+	/** Number of links of chains that hardly bend, before they may: half as many stand for these. */
+	static int stiffLinks(final int links) {
+		return (links + 1) / 2;
+	}
+
 	List<Fit> of(final CandidateSet set, final FilamentFitter fitter, final FilamentFitter stiff) {
 		final List<Fit> rough = new ArrayList<>();
 		for (final Candidate c : set.candidates().stream().limit(TrackTuning.DRAWN).toList())
@@ -44,14 +49,15 @@ record FitProposals(FrameView frame, FilamentEstimate estimate, int links, boole
 			.limit(TrackTuning.DRAWN).map(c -> start(c, estimate.fixedEnd())), fitter, stiff);
 	}
 
-	/** Starts that become the same while they cannot bend are fitted once. */
+	/** Starts that become the same while they hardly bend are fitted once. */
 	private static List<Fit> fitted(final Stream<Chain> starts, final FilamentFitter fitter,
 		final FilamentFitter stiff) {
 		final FitPool pool = new FitPool();
 		final List<Chain> begun = new ArrayList<>();
 		double cheapest = Double.POSITIVE_INFINITY;
 		for (final Chain start : starts.toList()) {
-			final Chain bent = stiff.fit(start, Optional.empty()).chain();
+			final Chain bent = stiff.fit(start.divided(stiff.links()), Optional.empty()).chain()
+				.divided(start.links());
 			if (begun.stream().anyMatch(b -> b.distance(bent) < TrackTuning.SAME_START))
 				continue;
 			begun.add(bent);

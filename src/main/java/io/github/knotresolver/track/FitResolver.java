@@ -116,21 +116,13 @@ public final class FitResolver {
 	private FitSolver withLengthThatHolds(final Seen seen, final FitSolver first) {
 		final FitTrellis.Solved solved = first.solved(progress);
 		if (solved.elsewhere() == 0 || lengths != LengthModel.AUTO)
-			return withLengthOfAll(seen, first);
+			return first.withLengthOfAll(workers, progress);
 		final FitResolver free = new FitResolver(generator, kinds, LengthModel.FREE, workers,
 			progress);
 		return Lengths.found(new FitSolver(free.pools(seen)).solved(progress), seen.course())
 			.map(course -> new FitSolver(pools(seen.withCourse(course))))
 			.filter(again -> again.solved(progress).price() < solved.price() - TrackTuning.HOPELESS)
-			.orElseGet(() -> withLengthOfAll(seen, first));
-	}
-
-	/** The clearest frames may all be too long or too short; all frames together know better. */
-	private FitSolver withLengthOfAll(final Seen seen, final FitSolver first) {
-		return first.lengthOfAll(workers, progress)
-			.map(course -> new FitSolver(pools(seen.withCourse(course))))
-			.filter(again -> again.solved(progress).price() < first.solved(progress).price())
-			.orElse(first);
+			.orElseGet(() -> first.withLengthOfAll(workers, progress));
 	}
 
 	/**
@@ -237,7 +229,8 @@ public final class FitResolver {
 			final FilamentFitter fitter = fitter(t, light, course, settings(course));
 			final FitProposals proposer = new FitProposals(frames.get(t), course.in(t), links,
 				settings(course).freeLength());
-			final FilamentFitter stiff = fitter(t, light, course, rough);
+			final FilamentFitter stiff = fitter(t, light, course, rough,
+				FitProposals.stiffLinks(links));
 			final List<Fit> fits = new ArrayList<>(proposer.of(sets.get(t), fitter, stiff));
 			if (course.length().isOpen(t))
 				fits.addAll(new FitProposals(frames.get(t), course.otherIn(t), links, false)
@@ -270,8 +263,14 @@ public final class FitResolver {
 
 	private static FilamentFitter fitter(final int t, final List<NormalizedFrame> light,
 		final FilamentCourse course, final FitSettings settings) {
-		return new FilamentFitter(light.get(t), course.estimate().model(),
-			FilamentEstimator.links(course.estimate().length()), Optional.of(course.anchor().at(t)),
+		return fitter(t, light, course, settings,
+			FilamentEstimator.links(course.estimate().length()));
+	}
+
+	private static FilamentFitter fitter(final int t, final List<NormalizedFrame> light,
+		final FilamentCourse course, final FitSettings settings, final int links) {
+		return new FilamentFitter(light.get(t), course.estimate().model(), links,
+			Optional.of(course.anchor().at(t)),
 			settings.withClampWeight(course.anchor().weight(t)));
 	}
 }

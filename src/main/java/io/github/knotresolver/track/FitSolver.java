@@ -72,9 +72,28 @@ public final class FitSolver {
 		return solved(progress).evidence();
 	}
 
-	/** The course with the length that all frames say together; empty if it is not surely another. */
-	Optional<FilamentCourse> lengthOfAll(final Workers workers, final Progress progress) {
-		return pools.lengthOfAll(solved(progress).frames(), workers);
+	/**
+	 * The movie with the length that all frames say together, if that is surely another and explains
+	 * more; otherwise as it is. A fit goes on a little when it is made again, so that what is known
+	 * is fitted again, too, before it is compared.
+	 */
+	FitSolver withLengthOfAll(final Workers workers, final Progress progress) {
+		return pools.lengthOfAll(solved(progress).frames(), workers)
+			.map(course -> again(course, workers, progress))
+			.filter(other -> other.isCheaperThan(this, progress)).map(other -> {
+				final FitSolver same = again(pools.course(), workers, progress);
+				return other.isCheaperThan(same, progress) ? other : same;
+			}).orElse(this);
+	}
+
+	private FitSolver again(final FilamentCourse course, final Workers workers,
+		final Progress progress) {
+		return new FitSolver(
+			pools.withCourse(course, workers, progress).withExchanges(workers, progress));
+	}
+
+	private boolean isCheaperThan(final FitSolver other, final Progress progress) {
+		return solved(progress).price() < other.solved(progress).price();
 	}
 
 	/** Whether an estimate's length or fixed end is noticeably another than here. */

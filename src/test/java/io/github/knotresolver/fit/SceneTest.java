@@ -58,6 +58,10 @@ class SceneTest {
 				scene.put(k, wild(random));
 				scene.take(k);
 				scene.put(k, chains.get(k));
+				// The same chain is not drawn anew.
+				if (step % 2 == 0)
+					scene.take(k);
+				scene.put(k, scene.chain(k));
 			}
 			assertArrayEquals(before, scene.picture(), 0, kind + ", seed " + seed);
 		}

@@ -24,6 +24,7 @@ import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
+import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.track.OpenFrames.Seen;
 
@@ -74,23 +75,47 @@ class FitPoolsTest {
 
 	private static final double LENGTH = 80;
 
-	/** What all frames say, if the contours were chosen with a length that is so many times the true one. */
+	private static final LineModel LINE = LineModel.uniform(LineModel.Kind.ADDITIVE, 1.5, 1);
+	private static final List<Chain> TRUTH = DrawnMovie.waves(9, LENGTH, 1.2);
+
+	/** A course so many times as long as the filament. */
+	private static FilamentCourse course(final double times) {
+		return new FilamentCourse(
+			new FilamentEstimate(LINE, 1, times * LENGTH, Double.NaN, TRUTH.get(0).start(), false),
+			AnchorPath.still(TRUTH.get(0).start(), TRUTH.size()),
+			LengthCourse.constant(times * LENGTH, TRUTH.size()), NOISE, 1);
+	}
+
+	/** A movie in which the filament was found so many times as long as it is. */
+	private static FitPools found(final double times) {
+		final DrawnMovie drawn = DrawnMovie.draw(TRUTH, List.of(), LINE, 0.05, 4);
+		return new FitPools(List.of(),
+			IntStream.range(0, TRUTH.size()).mapToObj(drawn::frame).toList(), course(times),
+			List.of(),
+			TRUTH.stream().map(c -> List.of(new Fit(c.resized(times * LENGTH), 0, 0, 1))).toList(),
+			FitSettings.DEFAULT);
+	}
+
+	/** What all frames say of it. */
 	private static Optional<FilamentCourse> ofAll(final double times) {
-		final LineModel line = LineModel.uniform(LineModel.Kind.ADDITIVE, 1.5, 1);
-		final List<Chain> truth = DrawnMovie.waves(9, LENGTH, 1.2);
-		final DrawnMovie drawn = DrawnMovie.draw(truth, List.of(), line, 0.05, 4);
-		final int frames = truth.size();
-		final FilamentEstimate estimate = new FilamentEstimate(line, 1, times * LENGTH, Double.NaN,
-			truth.get(0).start(), false);
-		final FitPools pools = new FitPools(List.of(),
-			IntStream.range(0, frames).mapToObj(drawn::frame).toList(),
-			new FilamentCourse(estimate, AnchorPath.still(truth.get(0).start(), frames),
-				LengthCourse.constant(estimate.length(), frames), NOISE, 1),
-			List.of(), List.of(), FitSettings.DEFAULT);
-		return pools.lengthOfAll(IntStream.range(0, frames)
+		return found(times).lengthOfAll(IntStream.range(0, TRUTH.size())
 			.mapToObj(t -> new Observation(t + 1, FrameStatus.RESOLVED, "",
-				Optional.of(truth.get(t).resized(estimate.length()).contour()), 0, 1, 0, 1))
+				Optional.of(TRUTH.get(t).resized(times * LENGTH).contour()), 0, 1, 0, 1))
 			.toList(), Workers.HERE);
+	}
+
+	@ParameterizedTest
+	@ValueSource(doubles = {0.95, 1, 1.04})
+	void contoursAreFittedAgainAsLongAsTheFilamentIs(final double times) {
+		final FitPools again = found(times).withCourse(course(1), Workers.HERE, Progress.NONE);
+		for (int t = 0; t < TRUTH.size(); t++) {
+			final List<Fit> fits = again.fits().get(t);
+			assertEquals(1, fits.size(), "frame " + t);
+			assertEquals(LENGTH, fits.get(0).chain().length(), 1e-9);
+			final double off = fits.get(0).chain().divided(40).farthest(TRUTH.get(t).divided(40));
+			assertTrue(off < 0.5, "frame " + t + " is off by " + off + " px");
+			assertTrue(fits.get(0).energy() < -30, "frame " + t + ": " + fits.get(0).energy());
+		}
 	}
 
 	@ParameterizedTest
