@@ -209,7 +209,7 @@ final class FitTuning {
 	static final double BRIGHT_END = 1.6;
 
 	/**
-	 * [ratio] An end that is so much dimmer than the filament is {@link #THIRD_END_KNOT} before it
+	 * [ratio] An end that is so much dimmer than the filament is {@code THIRD_END_KNOT} before it
 	 * is none of the filament's: haze that curves were led on into. Why: a tip that is dimmer by
 	 * 80 % is reached over the filament's length, and keeps 0.7 of what it is there.
 	 */
