@@ -17,16 +17,34 @@ public final class Scene {
 	/** Where less is drawn (in strands) there is no chain. */
 	private static final double DRAWN = 0.1;
 
+	private static final double[] NOT_YET = {};
+
 	private final NormalizedFrame light;
 	private final LineTables line;
 	private final double[] picture;
-	private final List<Drawn> members = new ArrayList<>();
+	private final List<Member> members = new ArrayList<>();
 
-	/** A chain and its own picture, and whether that is drawn now. */
-	private record Drawn(Chain chain, Patch patch, double[] values, boolean shown) {
+	/**
+	 * A chain.
+	 *
+	 * @param patch where its light falls
+	 * @param values its own picture; empty as long as nobody has asked
+	 * @param isShown whether it is one of the scene now
+	 * @param isDrawn whether it is in the picture already
+	 */
+	private record Member(Chain chain, Patch patch, double[] values, boolean isShown,
+		boolean isDrawn) {
 
-		Drawn shown(final boolean now) {
-			return new Drawn(chain, patch, values, now);
+		Member shown() {
+			return new Member(chain, patch, values, true, false);
+		}
+
+		Member hidden() {
+			return new Member(chain, patch, values, false, false);
+		}
+
+		Member drawn(final double[] own) {
+			return new Member(chain, patch, own, true, true);
 		}
 	}
 
@@ -75,7 +93,7 @@ public final class Scene {
 
 	/** @return all chains, in order */
 	public List<Chain> chains() {
-		return members.stream().map(Drawn::chain).toList();
+		return members.stream().map(Member::chain).toList();
 	}
 
 	/**
@@ -95,24 +113,25 @@ public final class Scene {
 	 * @param k the chain's number
 	 */
 	public void take(final int k) {
-		final Drawn drawn = members.get(k);
-		if (!drawn.shown)
+		final Member member = members.get(k);
+		members.set(k, member.hidden());
+		if (!member.isDrawn)
 			return;
-		members.set(k, drawn.shown(false));
 		final boolean additive = isAdditive();
-		for (int row = 0, i = 0; row < drawn.patch.height(); row++) {
-			int at = (drawn.patch.top() + row) * light.width() + drawn.patch.left();
-			for (int c = 0; c < drawn.patch.width(); c++, i++, at++)
-				picture[at] = additive ? picture[at] - drawn.values[i] : 0;
+		for (int row = 0, i = 0; row < member.patch.height(); row++) {
+			int at = (member.patch.top() + row) * light.width() + member.patch.left();
+			for (int c = 0; c < member.patch.width(); c++, i++, at++)
+				picture[at] = additive ? picture[at] - member.values[i] : 0;
 		}
 		if (!additive)
-			for (final Drawn other : members)
-				if (other != null && other.shown && other.patch.meets(drawn.patch))
+			for (final Member other : members)
+				if (other != null && other.isDrawn && other.patch.meets(member.patch))
 					draw(other);
 	}
 
 	/**
-	 * Puts a chain in the place of one that was taken. O(length), and less if it is the same.
+	 * Puts a chain in the place of one that was taken. It is drawn when somebody looks where it is:
+	 * O(length) then, once as long as it is the same.
 	 *
 	 * @param k the chain's number
 	 * @param chain its new shape
@@ -122,13 +141,25 @@ public final class Scene {
 			take(k);
 		members.set(k,
 			members.get(k) != null && members.get(k).chain == chain
-				? members.get(k).shown(true)
-				: drawn(chain));
-		draw(members.get(k));
+				? members.get(k).shown()
+				: new Member(chain, Patch.around(List.of(chain), line.reach() + 1, light), NOT_YET,
+					true, false));
 	}
 
-	private Drawn drawn(final Chain chain) {
-		final Patch patch = Patch.around(List.of(chain), line.reach() + 1, light);
+	/** Draws what is still to be drawn and falls into a part of the frame. */
+	private void drawIn(final Patch part) {
+		for (int k = 0; k < members.size(); k++) {
+			final Member member = members.get(k);
+			if (!member.isShown || member.isDrawn || !member.patch.meets(part))
+				continue;
+			members.set(k, member.drawn(member.values.length > 0 ? member.values : own(member)));
+			draw(members.get(k));
+		}
+	}
+
+	private double[] own(final Member member) {
+		final Chain chain = member.chain;
+		final Patch patch = member.patch;
 		final double[] values = new double[patch.width() * patch.height()];
 		final Chain here = chain.shifted(-patch.left(), -patch.top());
 		final double[] x = new double[chain.links() + 1], y = new double[chain.links() + 1];
@@ -138,17 +169,17 @@ public final class Scene {
 			Patch.of(dark), values);
 		for (int i = 0; i < values.length; i++)
 			values[i] = Math.rint(values[i] / GRAIN) * GRAIN;
-		return new Drawn(chain, patch, values, true);
+		return values;
 	}
 
-	private void draw(final Drawn drawn) {
+	private void draw(final Member member) {
 		final boolean additive = isAdditive();
-		for (int row = 0, i = 0; row < drawn.patch.height(); row++) {
-			int at = (drawn.patch.top() + row) * light.width() + drawn.patch.left();
-			for (int c = 0; c < drawn.patch.width(); c++, i++, at++)
+		for (int row = 0, i = 0; row < member.patch.height(); row++) {
+			int at = (member.patch.top() + row) * light.width() + member.patch.left();
+			for (int c = 0; c < member.patch.width(); c++, i++, at++)
 				picture[at] = additive
-					? picture[at] + drawn.values[i]
-					: Math.max(picture[at], drawn.values[i]);
+					? picture[at] + member.values[i]
+					: Math.max(picture[at], member.values[i]);
 		}
 	}
 
@@ -162,7 +193,7 @@ public final class Scene {
 	 * @return whether they are so near that one's light may fall on the other
 	 */
 	public boolean mayTouch(final int k, final int other) {
-		final Drawn a = members.get(k), b = members.get(other);
+		final Member a = members.get(k), b = members.get(other);
 		return a.patch.meets(b.patch) && a.chain.comesNear(b.chain, 2 * line.reach());
 	}
 
@@ -187,6 +218,7 @@ public final class Scene {
 	 * @return light less picture; 0 outside of the frame
 	 */
 	public double mismatch(final int x, final int y) {
+		drawIn(new Patch(x - 1, y - 1, 3, 3));
 		final double[] pixels = light.pixels();
 		double sum = 0;
 		int count = 0;
@@ -229,22 +261,30 @@ public final class Scene {
 	 * @return for every pixel whether more is drawn there
 	 */
 	public boolean[] drawnAbove(final double brightness) {
-		final boolean[] drawn = new boolean[picture.length];
+		final double[] all = picture();
+		final boolean[] drawn = new boolean[all.length];
 		for (int i = 0; i < drawn.length; i++)
-			drawn[i] = picture[i] > brightness;
+			drawn[i] = all[i] > brightness;
 		return drawn;
 	}
 
 	/** @return what the chains leave of the frame: light less picture */
 	public NormalizedFrame residual() {
-		final double[] left = light.pixels().clone();
+		final double[] left = light.pixels().clone(), drawn = picture();
 		for (int i = 0; i < left.length; i++)
-			left[i] -= picture[i];
+			left[i] -= drawn[i];
 		return new NormalizedFrame(light.width(), light.height(), left);
 	}
 
 	/** @return what is drawn now, in strands, row by row; not to be changed */
 	public double[] picture() {
+		drawIn(Patch.of(light));
 		return picture;
+	}
+
+	/** What is drawn now in a part of the frame, row by row. */
+	double[] picture(final Patch part) {
+		drawIn(part);
+		return part.cut(picture, light.width());
 	}
 }

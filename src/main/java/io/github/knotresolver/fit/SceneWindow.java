@@ -19,9 +19,8 @@ public final class SceneWindow {
 	SceneWindow(final Scene scene, final Patch patch, final int links) {
 		this.patch = patch;
 		this.links = links;
-		final int stride = scene.light().width();
-		final double[] pixels = patch.cut(scene.light().pixels(), stride);
-		final double[] others = patch.cut(scene.picture(), stride);
+		final double[] pixels = patch.part(scene.light()).pixels();
+		final double[] others = scene.picture(patch);
 		line = scene.line();
 		final double[] rest = pixels.clone();
 		for (int i = 0; i < rest.length; i++)
