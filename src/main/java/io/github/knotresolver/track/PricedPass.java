@@ -1,6 +1,7 @@
 
 package io.github.knotresolver.track;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
@@ -74,6 +75,37 @@ record PricedPass(ScenePass pass, double[] left, boolean[][] clear) {
 				best = p;
 		passes.remove(best);
 		passes.add(0, best);
+	}
+
+	/**
+	 * The passes that are settled together: the first one, and as long as light is left those that
+	 * explain most of what all before them leave. A pass that is lost in most frames may be the
+	 * only one that is right in the others. O(passes frames).
+	 *
+	 * @param passes the best first, at least one
+	 */
+	static List<PricedPass> together(final List<PricedPass> passes) {
+		final List<PricedPass> chosen = new ArrayList<>(List.of(passes.get(0)));
+		final List<PricedPass> others = new ArrayList<>(passes.subList(1, passes.size()));
+		double[] left = passes.get(0).left;
+		while (!passes.get(0).isClear() && !others.isEmpty()
+			&& chosen.size() < SceneTuning.SETTLED_PASSES) {
+			final double[] until = left;
+			final PricedPass next = others.stream()
+				.min(Comparator.comparingDouble(p -> Arrays.stream(p.least(until)).sum()))
+				.orElseThrow();
+			others.remove(next);
+			chosen.add(next);
+			left = next.least(until);
+		}
+		return chosen;
+	}
+
+	/** In each frame what it leaves, or what others do if that is less. */
+	private double[] least(final double[] others) {
+		final double[] least = new double[left.length];
+		Arrays.setAll(least, t -> Math.min(left[t], others[t]));
+		return least;
 	}
 
 	private boolean tellsMoreThan(final PricedPass other) {

@@ -217,8 +217,8 @@ public final class SceneResolver {
 				(double) passes.size() / SceneTuning.MOST_PASSES);
 			used.add(seed.get());
 			if (!seed.get().chains().isEmpty()) {
-				final ScenePass pass = ScenePass.from(seed.get().frame(), seed.get().chains(), line,
-					weights, workers, progress);
+				final ScenePass pass = new MendedSeed(line, weights, workers, progress,
+					seed.get().frame()).followed(seed.get().chains());
 				final PricedPass priced = PricedPass.of(pass, line, workers);
 				passes.add(priced);
 				show(pass, line);
@@ -284,8 +284,8 @@ public final class SceneResolver {
 	private List<Settled> settled(final SceneLine line, final SceneWeights weights,
 		final List<PricedPass> passes) {
 		final PricedPass best = passes.get(0);
-		final List<ScenePass> some = passes.stream()
-			.limit(best.isClear() ? 1 : SceneTuning.SETTLED_PASSES).map(PricedPass::pass).toList();
+		final List<ScenePass> some = PricedPass.together(passes).stream().map(PricedPass::pass)
+			.toList();
 		final SceneSettler settler = new SceneSettler(line, weights, some);
 		final List<Settled> settled = settler.settle(progress);
 		if (some.size() == 1)

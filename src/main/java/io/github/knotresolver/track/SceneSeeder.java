@@ -90,14 +90,14 @@ final class SceneSeeder {
 		return all;
 	}
 
-	private static double turn(final Polyline c, final int i) {
+	static double turn(final Polyline c, final int i) {
 		final int a = i - SceneTuning.CORNER_REACH, b = i + SceneTuning.CORNER_REACH;
 		final double ux = c.x(i) - c.x(a), uy = c.y(i) - c.y(a);
 		final double vx = c.x(b) - c.x(i), vy = c.y(b) - c.y(i);
 		return Math.abs(Math.atan2(ux * vy - uy * vx, ux * vx + uy * vy));
 	}
 
-	private static Polyline part(final Polyline curve, final int from, final int to) {
+	static Polyline part(final Polyline curve, final int from, final int to) {
 		final List<Point> points = new ArrayList<>();
 		for (int i = from; i <= to; i++)
 			points.add(curve.point(i));

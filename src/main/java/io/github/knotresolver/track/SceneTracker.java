@@ -45,6 +45,18 @@ final class SceneTracker {
 		wrong = new int[start.size()];
 	}
 
+	/**
+	 * Goes on from two frames.
+	 *
+	 * @param before the filaments in the frame before that
+	 * @param now the filaments in the frame from which to go on
+	 */
+	SceneTracker(final LineTables line, final SceneWeights weights, final double noise,
+		final List<Chain> before, final List<Chain> now) {
+		this(line, weights, noise, now);
+		this.before = before;
+	}
+
 	/** Goes on to the next frame and gives the filaments there, in the order of the start. */
 	List<Chain> step(final FrameView frame) {
 		return step(frame, List.of());

@@ -844,6 +844,42 @@ final class SceneTuning {
 	/** [noise sigma] ... and so much. Why: in the mean of nine pixels, that is six sigma. */
 	static final double STILL_NOISES = 2;
 
+	/**
+	 * [parts] A seed is followed for one of so many parts of the movie, both ways, before it is
+	 * believed. Why: filaments that lie end to end part by some line widths in that time.
+	 */
+	static final int MEND_PART = 10;
+	/** [frames] ... and for at least so many. Why: one frame may be noise. */
+	static final int MEND_LEAST = 3;
+	/**
+	 * [rounds] So often a seed is mended. Why: a trail of three filaments takes two rounds, and what
+	 * was mended may leave light around another one.
+	 */
+	static final int MEND_ROUNDS = 4;
+	/**
+	 * [strands²] Something else is kept if it costs less by this in a frame, the price of a filament
+	 * more included. Why: light around one place.
+	 */
+	static final double MEND_BETTER = 0.5;
+	/**
+	 * [strands²] ... and given up if it costs so much more in the frames that were looked at. Why:
+	 * what is right is as cheap as long as both lie in one place.
+	 */
+	static final double MEND_HOPELESS = 10;
+	/**
+	 * [rad] A filament may be two where it turns by more than this within twice {@code
+	 * CORNER_REACH}. Why: twice what a stiff one turns there; that it turns sharply proves nothing,
+	 * that both parts can be followed does.
+	 */
+	static final double MEND_CORNER = 0.35;
+	/** [places] ... and is cut at so many of them. Why: a trail of three filaments has two. */
+	static final int MEND_CUTS = 2;
+	/**
+	 * [exchanges] So many exchanges of two filaments are tried. Why: they touch in a place in two
+	 * ways.
+	 */
+	static final int MEND_EXCHANGES = 2;
+
 	private SceneTuning() {
 	}
 }

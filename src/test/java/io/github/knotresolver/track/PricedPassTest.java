@@ -1,6 +1,7 @@
 
 package io.github.knotresolver.track;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -69,5 +70,20 @@ class PricedPassTest {
 	void aPassThatExplainsAllIsRightHoweverManyFilamentsItHas() {
 		final PricedPass all = pass(2, FRAMES, 0);
 		assertSame(all, best(all, pass(1, 34, 25)));
+	}
+
+	@Test
+	void whatIsSettledTogetherExplainsWhatTheFirstLeaves() {
+		final PricedPass first = pass(2, 20, 8), same = pass(2, 20, 9);
+		final double[] left = new double[FRAMES];
+		Arrays.fill(left, 0, 20, 30);
+		final PricedPass rest = new PricedPass(first.pass(), left, first.clear());
+		assertEquals(List.of(first, rest, same), PricedPass.together(List.of(first, same, rest)));
+	}
+
+	@Test
+	void whatExplainsAllIsSettledAlone() {
+		final PricedPass all = pass(2, FRAMES, 0);
+		assertEquals(List.of(all), PricedPass.together(List.of(all, pass(2, 20, 8))));
 	}
 }

@@ -1,0 +1,271 @@
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.IntStream;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
+import io.github.knotresolver.track.SeedPieces.Other;
+
+/**
+ * A frame does not tell whether two filaments lie end to end or one lies there, nor which halves
+ * belong together where two cross at a small angle; those before and after it do, since what is
+ * wrongly taken for one cannot be followed. So a seed is followed for a while both ways in time.
+ * Filaments around which light is left there are cut, or exchange what is behind a place where they
+ * touch others; what can be followed better is kept.
+ */
+final class MendedSeed {
+
+	private final SceneLine line;
+	private final SceneWeights weights;
+	private final Workers workers;
+	private final Progress progress;
+	private final int start;
+	private final int first;
+	private final int end;
+	private final SeedPieces pieces;
+
+	/** @param start the frame of the seed */
+	MendedSeed(final SceneLine line, final SceneWeights weights, final Workers workers,
+		final Progress progress, final int start) {
+		this.line = line;
+		this.weights = weights;
+		this.workers = workers;
+		this.progress = progress;
+		this.start = start;
+		final int n = line.frames().size(),
+			reach = Math.max(SceneTuning.MEND_LEAST, n / SceneTuning.MEND_PART);
+		first = Math.max(0, start - reach);
+		end = Math.min(n, start + reach + 1);
+		pieces = new SeedPieces(line, weights, start);
+	}
+
+	/** All filaments in the frames around the seed's. */
+	private record Course(List<List<Chain>> chains) {
+
+		private List<Chain> filament(final int k) {
+			return chains.stream().map(c -> c.get(k)).toList();
+		}
+	}
+
+	/** What a course leaves, and how often each filament is unclear. */
+	private record Priced(Course course, double price, int[] unclear) {
+	}
+
+	/** The filaments of a seed, those mended that can be followed better then, in all frames. */
+	ScenePass followed(final List<Chain> seed) {
+		final Course course = nearby(seed);
+		final Course mended = mended(course);
+		return mended == course
+			? onwards(course)
+			: ScenePass.from(start, mended.chains.get(start - first), line, weights, workers,
+				progress);
+	}
+
+	private Course mended(final Course course) {
+		Priced now = priced(course);
+		final Set<List<Chain>> tried = new HashSet<>();
+		for (int round = 0; round < SceneTuning.MEND_ROUNDS; round++) {
+			final Priced before = now;
+			final List<Other> others = others(now, tried);
+			others.forEach(o -> tried.add(of(before.course.chains.get(start - first), o.of())));
+			final List<Other> better = better(before, others);
+			now = better(before, better, better.size());
+			if (now == before)
+				now = better(before, better, 1);
+			if (now == before)
+				break;
+		}
+		return now.course;
+	}
+
+	/** Those that can be followed better, the best first; of each filament one. */
+	private List<Other> better(final Priced now, final List<Other> others) {
+		final List<Double> more = workers.map("Looking for filaments", progress, others.size(),
+			i -> more(now.course, others.get(i)));
+		final List<Other> better = new ArrayList<>();
+		IntStream.range(0, others.size()).boxed()
+			.filter(i -> more.get(i) < -SceneTuning.MEND_BETTER)
+			.sorted(Comparator.comparingDouble(more::get)).map(others::get)
+			.filter(o -> better.stream().allMatch(b -> Collections.disjoint(b.of(), o.of())))
+			.forEach(better::add);
+		return better;
+	}
+
+	/** With the best of some others, if that leaves less light. */
+	private Priced better(final Priced now, final List<Other> others, final int most) {
+		if (others.isEmpty())
+			return now;
+		final Priced with = priced(
+			with(now.course, others.subList(0, Math.min(most, others.size()))));
+		return with.price < now.price ? with : now;
+	}
+
+	/**
+	 * What others cost more when they are followed, mean over the frames; infinite if that is soon
+	 * seen to be too much.
+	 */
+	private double more(final Course course, final Other other) {
+		final List<Chain> then = course.chains.get(start - first);
+		double more = more(start, SeedPieces.without(then, other.of()), of(then, other.of()),
+			other.instead());
+		for (final int step : new int[]{1, -1}) {
+			final SceneTracker tracker = new SceneTracker(line.tables(), weights, line.noise(),
+				other.instead());
+			for (int t = start + step; t >= first && t < end; t += step) {
+				progress.checkCancelled();
+				final List<Chain> here = course.chains.get(t - first);
+				final List<Chain> beside = SeedPieces.without(here, other.of());
+				more += more(t, beside, of(here, other.of()),
+					tracker.step(line.frames().get(t), beside));
+				if (more > SceneTuning.MEND_HOPELESS)
+					return Double.POSITIVE_INFINITY;
+			}
+		}
+		return more / (end - first)
+			+ SceneTuning.PER_FILAMENT * (other.instead().size() - other.of().size());
+	}
+
+	/** What some chains cost more than others in a frame, beside all that stays. */
+	private double more(final int t, final List<Chain> beside, final List<Chain> before,
+		final List<Chain> after) {
+		final Scene scene = line.scene(t, beside);
+		return energy(scene, after) - energy(scene, before);
+	}
+
+	private double energy(final Scene scene, final List<Chain> chains) {
+		final int all = scene.size();
+		double energy = 0;
+		for (final Chain chain : chains) {
+			energy += scene.window(List.of(chain)).price(chain, weights.tracked()).energy();
+			scene.add(chain);
+		}
+		for (int k = all; k < scene.size(); k++)
+			scene.take(k);
+		return energy;
+	}
+
+	/** A course on to both ends of the movie. */
+	private ScenePass onwards(final Course course) {
+		final int frames = line.frames().size();
+		final List<List<Chain>> near = course.chains;
+		final List<List<List<Chain>>> ways = workers.map(2,
+			way -> way == 0
+				? onwards(near.get(Math.max(0, near.size() - 2)), near.get(near.size() - 1), end,
+					frames)
+				: onwards(near.get(Math.min(1, near.size() - 1)), near.get(0), first - 1, -1));
+		final List<List<Chain>> all = new ArrayList<>(ways.get(1));
+		Collections.reverse(all);
+		all.addAll(near);
+		all.addAll(ways.get(0));
+		return new ScenePass(start, all);
+	}
+
+	private List<List<Chain>> onwards(final List<Chain> before, final List<Chain> now,
+		final int from, final int to) {
+		final SceneTracker tracker = new SceneTracker(line.tables(), weights, line.noise(), before,
+			now);
+		final List<List<Chain>> all = new ArrayList<>();
+		for (int t = from; t != to; t += to > from ? 1 : -1) {
+			progress.checkCancelled();
+			all.add(tracker.step(line.frames().get(t)));
+		}
+		return all;
+	}
+
+	private Course nearby(final List<Chain> seed) {
+		final List<List<List<Chain>>> ways = workers.map(2,
+			way -> followed(seed, 1 - 2 * way, Collections.nCopies(end - first, List.of())));
+		return joined(seed, ways.get(0), ways.get(1));
+	}
+
+	private static Course joined(final List<Chain> seed, final List<List<Chain>> after,
+		final List<List<Chain>> before) {
+		final List<List<Chain>> all = new ArrayList<>(before);
+		Collections.reverse(all);
+		all.add(seed);
+		all.addAll(after);
+		return new Course(all);
+	}
+
+	private List<List<Chain>> followed(final List<Chain> seed, final int step,
+		final List<List<Chain>> beside) {
+		final SceneTracker tracker = new SceneTracker(line.tables(), weights, line.noise(), seed);
+		final List<List<Chain>> all = new ArrayList<>();
+		for (int t = start + step; t >= first && t < end; t += step) {
+			progress.checkCancelled();
+			all.add(tracker.step(line.frames().get(t), beside.get(t - first)));
+		}
+		return all;
+	}
+
+	/** A course with other filaments instead of some, all others as they are. */
+	private Course with(final Course course, final List<Other> others) {
+		final List<Integer> out = others.stream().flatMap(o -> o.of().stream()).toList();
+		final List<Chain> in = others.stream().flatMap(o -> o.instead().stream()).toList();
+		final List<List<Chain>> beside = course.chains.stream().map(c -> SeedPieces.without(c, out))
+			.toList();
+		final Course two = joined(in, followed(in, 1, beside), followed(in, -1, beside));
+		final List<List<Chain>> all = new ArrayList<>();
+		for (int i = 0; i < beside.size(); i++) {
+			final List<Chain> here = new ArrayList<>(beside.get(i));
+			here.addAll(two.chains.get(i));
+			all.add(here);
+		}
+		return new Course(all);
+	}
+
+	private static List<Chain> of(final List<Chain> chains, final List<Integer> which) {
+		return which.stream().map(chains::get).toList();
+	}
+
+	private double price(final Course course) {
+		return IntStream.range(first, end)
+			.mapToDouble(t -> line.left(t, course.chains.get(t - first))).average().orElse(0)
+			+ SceneTuning.PER_FILAMENT * course.chains.get(0).size();
+	}
+
+	private Priced priced(final Course course) {
+		final int n = course.chains.get(0).size();
+		final List<boolean[]> clear = workers.map(end - first, i -> {
+			final Unexplained left = new Unexplained(line.scene(first + i, course.chains.get(i)),
+				line.noise());
+			final boolean[] c = new boolean[n];
+			for (int k = 0; k < n; k++)
+				c[k] = left.isClear(course.chains.get(i).get(k));
+			return c;
+		});
+		final int[] unclear = new int[n];
+		for (final boolean[] c : clear)
+			for (int k = 0; k < n; k++)
+				unclear[k] += c[k] ? 0 : 1;
+		return new Priced(course, price(course), unclear);
+	}
+
+	/** What those might be around which light is left, and what was not tried yet. */
+	private List<Other> others(final Priced now, final Set<List<Chain>> tried) {
+		final List<Chain> seed = now.course.chains.get(start - first);
+		final double most = SceneTuning.SELDOM_UNCLEAR * (end - first);
+		final List<List<Other>> all = workers.map(seed.size(), i -> {
+			final List<Other> of = new ArrayList<>();
+			if (now.unclear[i] <= most)
+				return of;
+			if (!tried.contains(List.of(seed.get(i))))
+				of.addAll(pieces.cuts(seed, i, first, now.course.filament(i)));
+			for (int j = 0; j < seed.size(); j++)
+				if (j != i && !(j < i && now.unclear[j] > most)
+					&& seed.get(i).comesNear(seed.get(j), SceneTuning.SWAP_TOUCH)
+					&& !tried.contains(List.of(seed.get(i), seed.get(j))))
+					of.addAll(pieces.exchanges(seed, i, j));
+			return of;
+		});
+		return all.stream().flatMap(List::stream).toList();
+	}
+}
