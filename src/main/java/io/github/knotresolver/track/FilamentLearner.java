@@ -106,13 +106,24 @@ record FilamentLearner(Set<LineModel.Kind> kinds, LengthModel lengths, Workers w
 		if (sightings.isEmpty())
 			return Optional.empty();
 		final Optional<FilamentEstimate> bent = estimate(sightings, fixedEnd, length, free);
-		// How strong the noise is beside a strand is known when the strand is.
+		// How strong the noise is beside a strand is known when the strand is, not where it was cut off.
 		final FitSettings endsFree = calmed == focused && bent.isPresent()
-			? free.inNoise(noise / bent.get().amplitude(), TrackTuning.NOISY)
-			: free;
+			&& !isCutOff(sightings, bent.get())
+				? free.inNoise(noise / bent.get().amplitude(), TrackTuning.NOISY)
+				: free;
 		return (endsFree.equals(free) ? bent : estimate(sightings, fixedEnd, length, endsFree))
 			.map(e -> seen(new Look(steady, first, ends, length, endsFree), e)
 				.withNoise(noise / e.amplitude()));
+	}
+
+	/** Whether a strand may be brighter than it is seen, so that noise is less of it than it seems. */
+	private static boolean isCutOff(final List<Sighting> sightings,
+		final FilamentEstimate estimate) {
+		return estimate.model().kind() != LineModel.Kind.ADDITIVE && areClipped(sightings);
+	}
+
+	private static boolean areClipped(final List<Sighting> sightings) {
+		return sightings.stream().anyMatch(s -> s.frame().isClipped());
 	}
 
 	/** Looks at the open frames to see whether the fixed end moves and the length changes. */
@@ -147,9 +158,7 @@ record FilamentLearner(Set<LineModel.Kind> kinds, LengthModel lengths, Workers w
 		final Point fixedEnd, final OptionalDouble length, final FitSettings endsFree) {
 		progress.report("Learning what the filament looks like", 0);
 		// Of what was cut off it is known where: lines that add up can be told, too.
-		final Set<LineModel.Kind> possible = sightings.stream().anyMatch(s -> s.frame().isClipped())
-			? LineModel.UNCLIPPED
-			: kinds;
+		final Set<LineModel.Kind> possible = areClipped(sightings) ? LineModel.UNCLIPPED : kinds;
 		return FilamentEstimator.estimate(sightings, possible, endsFree, workers, progress)
 			.map(e -> length.isPresent() ? e.withLength(length.getAsDouble()) : e)
 			.map(e -> e.fixedEnd().distanceTo(fixedEnd) > GraphTuning.NEAR_CLAMP
