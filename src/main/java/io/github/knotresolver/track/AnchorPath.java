@@ -1,10 +1,12 @@
 package io.github.knotresolver.track;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Fit;
@@ -214,6 +216,23 @@ record AnchorPath(List<Point> places, double[] weights) {
 			noise[t] = seen.isPresent() ? TrackTuning.FIT_NOISE : TrackTuning.END_NOISE;
 		}
 		return walk(x, y, noise);
+	}
+
+	/**
+	 * The same, but elsewhere in some frames. There the place is held so loosely that the old one is
+	 * possible, too: light tells which.
+	 *
+	 * @param jumps places in pixels, by index of the frame
+	 */
+	AnchorPath withJumps(final SortedMap<Integer, Point> jumps) {
+		final List<Point> moved = new ArrayList<>(places);
+		final double[] loosened = weights.clone();
+		jumps.forEach((t, place) -> {
+			final double far = place.distanceTo(at(t));
+			moved.set(t, place);
+			loosened[t] = 1 / (1 / STRONGEST + 2 * far * far);
+		});
+		return new AnchorPath(moved, loosened);
 	}
 
 	Point at(final int t) {

@@ -178,7 +178,7 @@ public final class FitResolver {
 			.withAnchor(best.course().anchor().refined(best.fits()));
 		return new FitPools(best.frames(), best.light(), settled, best.sets(),
 			pools(best.light(), settled, repriced(best.fits(), best.light(), settled)),
-			best.settings()).withExchanges(workers, progress);
+			best.settings()).withJumps(workers, progress).withExchanges(workers, progress);
 	}
 
 	/** The graph's proposals for a course, fitted. */

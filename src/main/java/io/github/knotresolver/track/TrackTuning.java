@@ -364,6 +364,19 @@ final class TrackTuning {
 	static final double WALK_JUMP = 6;
 
 	/**
+	 * [price] In a frame whose contour becomes cheaper by more than this once its fixed end is set
+	 * free, that end may have jumped. Why: with a line's width drawn in the dark at one end and left
+	 * out at the other it would be 2.5, and noise of half a strand makes it 1.
+	 */
+	static final double JUMPED = 2;
+
+	/**
+	 * [multiples] ... and by so many times what is usual in the movie. Why: where it gains often, the
+	 * place or the line is wrong in all frames.
+	 */
+	static final double JUMPED_UNUSUAL = 6;
+
+	/**
 	 * [frames] So many frames are enough to learn the filament from. Why: each is fitted several
 	 * times.
 	 */
