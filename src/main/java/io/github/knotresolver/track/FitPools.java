@@ -174,10 +174,25 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 		final FitPools moved = new FitPools(frames, light,
 			course.withAnchor(course.anchor().withJumps(jumps)), sets, fits, settings);
 		return new FitPools(frames, light, moved.course, sets,
-			workers.map(fits.size(), t -> jumps.containsKey(t)
-				? moved.jumped(t, freed.get(t).orElseThrow().chain)
-				: fits.get(t)),
+			workers.map(fits.size(),
+				t -> jumps.containsKey(t)
+					? moved.jumped(t, freed.get(t).orElseThrow().chain)
+					: fits.get(t)),
 			settings);
+	}
+
+	/**
+	 * A fixed end that moves is once more followed through where contours begin that are not held:
+	 * those that are held begin where it was thought to be.
+	 *
+	 * @param workers threads
+	 * @param progress asked whether to stop
+	 */
+	FilamentCourse withAnchorOfAll(final Workers workers, final Progress progress) {
+		return course.anchor().range() == 0
+			? course
+			: course.withAnchor(course.anchor().refined(workers.map("Setting the fixed end free",
+				progress, fits.size(), t -> freed(t).map(f -> f.chain.start()))));
 	}
 
 	/** The cheapest contour of a frame, or the graph's best, if it begins where it likes. */
@@ -193,10 +208,10 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 				final int few = FitProposals.stiffLinks(links());
 				final Chain start = new FitProposals(frames.get(t), course.in(t), links(), false)
 					.start(seen.get()).divided(few);
-				final Fit own = free
-					.fit(fitter(t, Optional.empty(),
-						settings.roughAndStiff(FitSettings.START_STIFFNESS), few)
-						.fit(start, Optional.empty()).chain().divided(links()), Optional.empty());
+				final Fit own = free.fit(
+					fitter(t, Optional.empty(), settings.roughAndStiff(FitSettings.START_STIFFNESS),
+						few).fit(start, Optional.empty()).chain().divided(links()),
+					Optional.empty());
 				freed = own.energy() < freed.energy() ? own : freed;
 			}
 			return new Freed(freed.chain(), freed.chain().start().distanceTo(place),
@@ -211,8 +226,8 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 		final FitPool pool = new FitPool(List.of(best));
 		for (final Fit fit : fits.get(t)) {
 			pool.add(fitter.price(fit.chain()));
-			pool.add(fitter.fit(fit.chain(), Optional.empty(),
-				best.energy() + TrackTuning.HOPELESS));
+			pool.add(
+				fitter.fit(fit.chain(), Optional.empty(), best.energy() + TrackTuning.HOPELESS));
 		}
 		return pool.fits();
 	}
