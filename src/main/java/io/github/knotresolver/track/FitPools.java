@@ -161,7 +161,7 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 		if (settings.freeLength())
 			return this;
 		final List<Optional<Freed>> freed = workers.map("Setting the fixed end free", progress,
-			fits.size(), this::freed);
+			fits.size(), t -> freed(t, false));
 		final double usual = RobustStatistics.upperMedian(
 			freed.stream().flatMap(Optional::stream).mapToDouble(Freed::gain).toArray(), 0);
 		final double width = LineAppearance.FULL_WIDTH * course.estimate().model().sigma();
@@ -183,7 +183,8 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 
 	/**
 	 * A fixed end that moves is once more followed through where contours begin that are not held:
-	 * those that are held begin where it was thought to be.
+	 * those that are held begin where it was thought to be. They may have any length, too: one that is
+	 * not quite right moves no end then.
 	 *
 	 * @param workers threads
 	 * @param progress asked whether to stop
@@ -192,13 +193,14 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 		return course.anchor().range() == 0
 			? course
 			: course.withAnchor(course.anchor().refined(workers.map("Setting the fixed end free",
-				progress, fits.size(), t -> freed(t).map(f -> f.chain.start()))));
+				progress, fits.size(), t -> freed(t, true).map(f -> f.chain.start()))));
 	}
 
 	/** The cheapest contour of a frame, or the graph's best, if it begins where it likes. */
-	private Optional<Freed> freed(final int t) {
+	private Optional<Freed> freed(final int t, final boolean anyLength) {
 		return fits.get(t).stream().min(Comparator.comparingDouble(Fit::energy)).map(best -> {
-			final FilamentFitter free = fitter(t, Optional.empty(), settings, links());
+			final FilamentFitter free = fitter(t, Optional.empty(),
+				settings.withFreeLength(anyLength || settings.freeLength()), links());
 			Fit freed = free.fit(best.chain(), Optional.empty());
 			final Point place = course.anchor().at(t);
 			final Optional<Polyline> seen = sets.get(t).candidates().stream().findFirst()
