@@ -211,7 +211,7 @@ record AnchorPath(List<Point> places, double[] weights) {
 			final Point seen = begin.get(t).orElse(at(t));
 			x[t] = seen.x();
 			y[t] = seen.y();
-			noise[t] = begin.get(t).isPresent() ? TrackTuning.LIGHT_NOISE : TrackTuning.END_NOISE;
+			noise[t] = begin.get(t).isPresent() ? TrackTuning.FIT_NOISE : TrackTuning.END_NOISE;
 		}
 		return walk(x, y, noise);
 	}

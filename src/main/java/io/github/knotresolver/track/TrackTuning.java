@@ -156,10 +156,16 @@ final class TrackTuning {
 	static final double STILL_SHARE = 0.9;
 
 	/**
-	 * [px] Standard deviation of an end as a fit says that is not held there. Why: the fit's own, in
-	 * the dark beyond the end.
+	 * [px] Standard deviation of an end as a fit of an open frame says. Why: the fit's own, in the
+	 * dark beyond the end.
 	 */
 	static final double LIGHT_NOISE = 0.3;
+
+	/**
+	 * [px] ... as any fit says that is not held. Why: some are crossed, and a dim end is seen to a
+	 * pixel only.
+	 */
+	static final double FIT_NOISE = 0.5;
 
 	/** [px] ... as a skeleton says. Why: see {@code SKELETON_SHORT}. */
 	static final double END_NOISE = 1.5;
