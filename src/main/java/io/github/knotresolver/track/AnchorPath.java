@@ -1,13 +1,13 @@
 package io.github.knotresolver.track;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
 
 import io.github.knotresolver.fit.Chain;
-import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitSettings;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.RobustLine;
@@ -197,23 +197,40 @@ record AnchorPath(List<Point> places, double[] weights) {
 	}
 
 	/**
-	 * The same, settled once more by fits. An anchor that stays is what it is.
+	 * The same, settled once more by contours that were not held. An anchor that stays is what it
+	 * is.
 	 *
-	 * @param fits of every frame
+	 * @param begin where they begin, in every frame
 	 */
-	AnchorPath refined(final List<List<Fit>> fits) {
+	AnchorPath refined(final List<Optional<Point>> begin) {
 		if (range() == 0)
 			return this;
 		final int n = places.size();
 		final double[] x = new double[n], y = new double[n], noise = new double[n];
 		for (int t = 0; t < n; t++) {
-			final Optional<Point> seen = fits.get(t).stream()
-				.min(Comparator.comparingDouble(Fit::energy)).map(f -> f.chain().start());
-			x[t] = seen.orElse(at(t)).x();
-			y[t] = seen.orElse(at(t)).y();
-			noise[t] = seen.isPresent() ? TrackTuning.FIT_NOISE : TrackTuning.END_NOISE;
+			final Point seen = begin.get(t).orElse(at(t));
+			x[t] = seen.x();
+			y[t] = seen.y();
+			noise[t] = begin.get(t).isPresent() ? TrackTuning.FIT_NOISE : TrackTuning.END_NOISE;
 		}
 		return walk(x, y, noise);
+	}
+
+	/**
+	 * The same, but elsewhere in some frames. There the place is held so loosely that the old one is
+	 * possible, too: light tells which.
+	 *
+	 * @param jumps places in pixels, by index of the frame
+	 */
+	AnchorPath withJumps(final SortedMap<Integer, Point> jumps) {
+		final List<Point> moved = new ArrayList<>(places);
+		final double[] loosened = weights.clone();
+		jumps.forEach((t, place) -> {
+			final double far = place.distanceTo(at(t));
+			moved.set(t, place);
+			loosened[t] = 1 / (1 / STRONGEST + 2 * far * far);
+		});
+		return new AnchorPath(moved, loosened);
 	}
 
 	Point at(final int t) {

@@ -1,10 +1,14 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
 import io.github.knotresolver.candidate.CandidateSet;
+import io.github.knotresolver.contour.ContourBuilder;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.fit.FilamentEstimator;
@@ -12,7 +16,9 @@ import io.github.knotresolver.fit.FilamentFitter;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitSettings;
 import io.github.knotresolver.fit.NormalizedFrame;
+import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.image.LineAppearance;
 import io.github.knotresolver.model.Observation;
 import io.github.knotresolver.progress.Progress;
@@ -59,8 +65,13 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 	}
 
 	private FilamentFitter fitter(final int t, final FitSettings weights, final int links) {
-		return new FilamentFitter(light.get(t), course.estimate().model(), links,
-			Optional.of(course.anchor().at(t)), weights.withClampWeight(course.anchor().weight(t)));
+		return fitter(t, Optional.of(course.anchor().at(t)),
+			weights.withClampWeight(course.anchor().weight(t)), links);
+	}
+
+	private FilamentFitter fitter(final int t, final Optional<Point> clamp,
+		final FitSettings weights, final int links) {
+		return new FilamentFitter(light.get(t), course.estimate().model(), links, clamp, weights);
 	}
 
 	private int links() {
@@ -125,6 +136,102 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 		return fitter(t, settings.withFreeLength(true), links())
 			.fit(Chain.along(contour, links(), contour.length()), Optional.empty()).chain()
 			.length();
+	}
+
+	/** A contour whose fixed end was set free, and how much cheaper that made it. */
+	private record Freed(Chain chain, double moved, double gain, double perPixel) {
+
+		/** Both its ends must tell: what lies beyond one is worth no more than the line is. */
+		boolean isJump(final double width, final double usual) {
+			return moved > width && gain > Math.max(TrackTuning.JUMPED, perPixel * moved)
+				&& gain > TrackTuning.JUMPED_UNUSUAL * usual;
+		}
+	}
+
+	/**
+	 * The same, but in frames in which the fixed end jumped it is where their own picture has it.
+	 * Set free, a contour of known length lies where the light is; a jump of less than three frames,
+	 * or next to the movie's first or last frame, is seen by that alone. Not if each fit has a length
+	 * of its own, as its ends are nowhere else then.
+	 *
+	 * @param workers threads
+	 * @param progress asked whether to stop
+	 */
+	FitPools withJumps(final Workers workers, final Progress progress) {
+		if (settings.freeLength())
+			return this;
+		final List<Optional<Freed>> freed = workers.map("Setting the fixed end free", progress,
+			fits.size(), t -> freed(t, false));
+		final double usual = RobustStatistics.upperMedian(
+			freed.stream().flatMap(Optional::stream).mapToDouble(Freed::gain).toArray(), 0);
+		final double width = LineAppearance.FULL_WIDTH * course.estimate().model().sigma();
+		final SortedMap<Integer, Point> jumps = new TreeMap<>();
+		for (int t = 0; t < freed.size(); t++)
+			if (freed.get(t).filter(f -> f.isJump(width, usual)).isPresent())
+				jumps.put(t, freed.get(t).get().chain.start());
+		if (jumps.isEmpty())
+			return this;
+		final FitPools moved = new FitPools(frames, light,
+			course.withAnchor(course.anchor().withJumps(jumps)), sets, fits, settings);
+		return new FitPools(frames, light, moved.course, sets,
+			workers.map(fits.size(),
+				t -> jumps.containsKey(t)
+					? moved.jumped(t, freed.get(t).orElseThrow().chain)
+					: fits.get(t)),
+			settings);
+	}
+
+	/**
+	 * A fixed end that moves is once more followed through where contours begin that are not held:
+	 * those that are held begin where it was thought to be. They may have any length, too: one that is
+	 * not quite right moves no end then.
+	 *
+	 * @param workers threads
+	 * @param progress asked whether to stop
+	 */
+	FilamentCourse withAnchorOfAll(final Workers workers, final Progress progress) {
+		return course.anchor().range() == 0
+			? course
+			: course.withAnchor(course.anchor().refined(workers.map("Setting the fixed end free",
+				progress, fits.size(), t -> freed(t, true).map(f -> f.chain.start()))));
+	}
+
+	/** The cheapest contour of a frame, or the graph's best, if it begins where it likes. */
+	private Optional<Freed> freed(final int t, final boolean anyLength) {
+		return fits.get(t).stream().min(Comparator.comparingDouble(Fit::energy)).map(best -> {
+			final FilamentFitter free = fitter(t, Optional.empty(),
+				settings.withFreeLength(anyLength || settings.freeLength()), links());
+			Fit freed = free.fit(best.chain(), Optional.empty());
+			final Point place = course.anchor().at(t);
+			final Optional<Polyline> seen = sets.get(t).candidates().stream().findFirst()
+				.map(ContourBuilder::smooth)
+				.filter(c -> c.first().distanceTo(place) > TrackTuning.STILL_SKELETON);
+			if (seen.isPresent()) {
+				final int few = FitProposals.stiffLinks(links());
+				final Chain start = new FitProposals(frames.get(t), course.in(t), links(), false)
+					.start(seen.get()).divided(few);
+				final Fit own = free.fit(
+					fitter(t, Optional.empty(), settings.roughAndStiff(FitSettings.START_STIFFNESS),
+						few).fit(start, Optional.empty()).chain().divided(links()),
+					Optional.empty());
+				freed = own.energy() < freed.energy() ? own : freed;
+			}
+			return new Freed(freed.chain(), freed.chain().start().distanceTo(place),
+				free.price(best.chain()).energy() - freed.energy(),
+				-freed.light() / freed.chain().length());
+		});
+	}
+
+	private List<Fit> jumped(final int t, final Chain freed) {
+		final FilamentFitter fitter = fitter(t);
+		final Fit best = fitter.fit(freed, Optional.empty());
+		final FitPool pool = new FitPool(List.of(best));
+		for (final Fit fit : fits.get(t)) {
+			pool.add(fitter.price(fit.chain()));
+			pool.add(
+				fitter.fit(fit.chain(), Optional.empty(), best.energy() + TrackTuning.HOPELESS));
+		}
+		return pool.fits();
 	}
 
 	/** @return the fits of a frame that are as the user said; further ones if none at hand is */

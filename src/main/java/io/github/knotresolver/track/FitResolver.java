@@ -174,11 +174,10 @@ public final class FitResolver {
 		final FitPools best = seen.endIsDoubtful()
 			? first.orStill(proposed(seen.frames(), seen.still()))
 			: first;
-		final FilamentCourse settled = best.course()
-			.withAnchor(best.course().anchor().refined(best.fits()));
+		final FilamentCourse settled = best.withAnchorOfAll(workers, progress);
 		return new FitPools(best.frames(), best.light(), settled, best.sets(),
 			pools(best.light(), settled, repriced(best.fits(), best.light(), settled)),
-			best.settings()).withExchanges(workers, progress);
+			best.settings()).withJumps(workers, progress).withExchanges(workers, progress);
 	}
 
 	/** The graph's proposals for a course, fitted. */

@@ -161,7 +161,10 @@ final class TrackTuning {
 	 */
 	static final double LIGHT_NOISE = 0.3;
 
-	/** [px] ... as any fit says. Why: some are crossed. */
+	/**
+	 * [px] ... as any fit says that is not held. Why: some are crossed, and a dim end is seen to a
+	 * pixel only.
+	 */
 	static final double FIT_NOISE = 0.5;
 
 	/** [px] ... as a skeleton says. Why: see {@code SKELETON_SHORT}. */
@@ -362,6 +365,19 @@ final class TrackTuning {
 	 * [standard deviations] ... if they differ by more than this. Why: noise does not in a movie.
 	 */
 	static final double WALK_JUMP = 6;
+
+	/**
+	 * [price] In a frame whose contour becomes cheaper by more than this once its fixed end is set
+	 * free, that end may have jumped. Why: with a line's width drawn in the dark at one end and left
+	 * out at the other it would be 2.5, and noise of half a strand makes it 1.
+	 */
+	static final double JUMPED = 2;
+
+	/**
+	 * [multiples] ... and by so many times what is usual in the movie. Why: where it gains often, the
+	 * place or the line is wrong in all frames.
+	 */
+	static final double JUMPED_UNUSUAL = 6;
 
 	/**
 	 * [frames] So many frames are enough to learn the filament from. Why: each is fitted several

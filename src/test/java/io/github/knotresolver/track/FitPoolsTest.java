@@ -6,8 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
 import org.junit.jupiter.api.Test;
@@ -15,6 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import io.github.knotresolver.Drawn;
+import io.github.knotresolver.candidate.CandidateSet;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.DrawnMovie;
 import io.github.knotresolver.fit.FilamentEstimate;
@@ -131,5 +134,80 @@ class FitPoolsTest {
 	@Test
 	void aLengthThatIsRightStays() {
 		assertEquals(Optional.empty(), ofAll(1));
+	}
+
+	/** Frames in which the fixed end is carried along, and was thought to be elsewhere. */
+	private static FitPools held(final IntFunction<Point> carried, final IntFunction<Point> off) {
+		final List<Chain> truth = IntStream.range(0, TRUTH.size())
+			.mapToObj(t -> TRUTH.get(t).shifted(carried.apply(t).x(), carried.apply(t).y()))
+			.toList();
+		final DrawnMovie drawn = DrawnMovie.draw(truth, List.of(), LINE, 0.05, 4);
+		final double[] weights = new double[truth.size()];
+		Arrays.fill(weights, FitSettings.DEFAULT.clampWeight());
+		final AnchorPath thought = new AnchorPath(IntStream.range(0, truth.size())
+			.mapToObj(t -> shifted(truth.get(t).start(), off, t)).toList(), weights);
+		final FitPools begun = new FitPools(List.of(),
+			IntStream.range(0, truth.size()).mapToObj(drawn::frame).toList(),
+			course(1).withAnchor(thought),
+			truth.stream().map(c -> new CandidateSet(List.of(), false)).toList(),
+			truth.stream().map(c -> List.of(new Fit(c, 0, 0, 1))).toList(), FitSettings.DEFAULT);
+		return begun.withCourse(begun.course(), Workers.HERE, Progress.NONE);
+	}
+
+	private static Point shifted(final Point at, final IntFunction<Point> by, final int t) {
+		return new Point(at.x() + by.apply(t).x(), at.y() + by.apply(t).y());
+	}
+
+	private static double off(final Point at, final int t, final IntFunction<Point> carried) {
+		return at.distanceTo(shifted(TRUTH.get(t).start(), carried, t));
+	}
+
+	/** Contours that are held begin where the fixed end was thought to be, and so confirm it. */
+	@Test
+	void aFixedEndThatMovesIsWhereContoursBeginThatAreNotHeld() {
+		final IntFunction<Point> drift = t -> new Point(0.4 * t, -0.2 * t);
+		final FitPools held = held(drift, t -> new Point(1.4, -1));
+		final AnchorPath settled = held.withAnchorOfAll(Workers.HERE, Progress.NONE).anchor();
+		for (int t = 0; t < TRUTH.size(); t++) {
+			final double begins = off(held.fits().get(t).get(0).chain().start(), t, drift);
+			assertTrue(begins > 1, "held, frame " + t + ": " + begins + " px");
+			final double off = off(settled.at(t), t, drift);
+			assertTrue(off < 0.8, "frame " + t + ": " + off + " px");
+		}
+	}
+
+	@Test
+	void aFixedEndThatStaysIsNotAskedWhereItIs() {
+		final FitPools still = found(1);
+		assertSame(still.course(), still.withAnchorOfAll(Workers.HERE, Progress.NONE));
+	}
+
+	@Test
+	void anEndThatJumpedInOneFrameIsElsewhereInThatFrameOnly() {
+		final IntFunction<Point> jump = t -> new Point(t == 4 ? 5 : 0, t == 4 ? 4 : 0);
+		final FitPools held = held(jump, t -> new Point(t == 4 ? -5 : 0, t == 4 ? -4 : 0));
+		final FitPools free = held.withJumps(Workers.HERE, Progress.NONE);
+		for (int t = 0; t < TRUTH.size(); t++) {
+			final double off = off(free.course().anchor().at(t), t, jump);
+			assertTrue(off < 0.5, "frame " + t + ": " + off + " px");
+			if (t != 4)
+				assertSame(held.fits().get(t), free.fits().get(t), "frame " + t);
+		}
+		final Fit best = free.fits().get(4).stream().min(Comparator.comparingDouble(Fit::energy))
+			.orElseThrow();
+		final double apart = best.chain().divided(40)
+			.farthest(TRUTH.get(4).shifted(5, 4).divided(40));
+		assertTrue(apart < 0.5, apart + " px");
+		// The old place remains possible, so that a doubt is not settled by where the end was.
+		final double far = Math.hypot(5, 4), weight = free.course().anchor().weight(4);
+		assertTrue(weight * far * far < 1, "weight " + weight);
+	}
+
+	@Test
+	void whereTheFixedEndIsElsewhereInAllFramesNoneIsAJump() {
+		final FitPools held = held(t -> new Point(0, 0), t -> new Point(4, 3));
+		assertSame(held, held.withJumps(Workers.HERE, Progress.NONE));
+		final FitPools right = held(t -> new Point(0, 0), t -> new Point(0, 0));
+		assertSame(right, right.withJumps(Workers.HERE, Progress.NONE));
 	}
 }

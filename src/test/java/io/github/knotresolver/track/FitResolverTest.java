@@ -219,7 +219,7 @@ class FitResolverTest {
 	}
 
 	@ParameterizedTest
-	@ValueSource(ints = {9, 15, 20})
+	@ValueSource(ints = {1, 2, 9, 15, 20, 22, 23})
 	void aClampThatJumpsIsFollowed(final int frame) {
 		final List<Chain> truth = carried(t -> t < frame ? new Point(0, 0) : new Point(6, -7));
 		final List<Observation> found = resolve(DrawnFrames.of(truth, LINE, t -> 1),
