@@ -217,8 +217,7 @@ public final class SceneResolver {
 				(double) passes.size() / SceneTuning.MOST_PASSES);
 			used.add(seed.get());
 			if (!seed.get().chains().isEmpty()) {
-				final ScenePass pass = new MendedSeed(line, weights, workers, progress,
-					seed.get().frame()).followed(seed.get().chains());
+				final ScenePass pass = followed(seed.get(), line, weights);
 				final PricedPass priced = PricedPass.of(pass, line, workers);
 				passes.add(priced);
 				show(pass, line);
@@ -231,6 +230,14 @@ public final class SceneResolver {
 		PricedPass.sort(passes);
 		withBetterLengths(line, weights, passes);
 		return passes;
+	}
+
+	/** Where light does not add up, what is left beside crossings does not tell how a seed is mended. */
+	private ScenePass followed(final SceneSeed seed, final SceneLine line,
+		final SceneWeights weights) {
+		return line.tables().model().kind() == LineModel.Kind.ADDITIVE
+			? new MendedSeed(line, weights, workers, progress, seed.frame()).followed(seed.chains())
+			: ScenePass.from(seed.frame(), seed.chains(), line, weights, workers, progress);
 	}
 
 	private void show(final ScenePass pass, final SceneLine line) {
