@@ -19,14 +19,12 @@ import io.github.knotresolver.image.LineAppearance;
 record FadedEnds(double start, double tip) {
 
 	/**
-	 * @param brightness relative brightness at equal spacing, at least one value
+	 * @param line what the filament looks like
 	 * @param length of the filament in pixels
 	 */
-	static FadedEnds of(final double[] brightness, final double length) {
-		final double[] reversed = new double[brightness.length];
-		for (int i = 0; i < reversed.length; i++)
-			reversed[i] = brightness[brightness.length - 1 - i];
-		return new FadedEnds(faded(reversed, length), faded(brightness, length));
+	static FadedEnds of(final LineModel line, final double length) {
+		return new FadedEnds(faded(line.reversed().brightness(), length),
+			faded(line.brightness(), length));
 	}
 
 	private static double faded(final double[] brightness, final double length) {

@@ -292,8 +292,7 @@ public final class FilamentEstimator {
 	 * on into haze there. Where that goes on to the border of the picture, the ends are a guess.
 	 */
 	private static Learned withoutHaze(final Learned learned, final Fitting fitting) {
-		final FadedEnds ends = FadedEnds.of(learned.line.model().brightness(),
-			usualLength(learned.examples));
+		final FadedEnds ends = FadedEnds.of(learned.line.model(), usualLength(learned.examples));
 		if (ends.areNone())
 			return learned;
 		final List<Example> shorter = ends.cutFrom(learned.examples);

@@ -101,15 +101,13 @@ public final class LineTables {
 	 * @return the share by the distance from the link's middle, along it
 	 */
 	Table link(final double length) {
-		final Table beyond = curves.along;
 		final double half = length / 2;
-		return new Table(LINK_TABLE, reach + half,
-			d -> share(beyond, d - half) - share(beyond, d + half));
+		return new Table(LINK_TABLE, reach + half, d -> beyond(d - half) - beyond(d + half));
 	}
 
-	/** Share of a Gaussian beyond a distance, which may be negative. */
-	private static double share(final Table beyond, final double distance) {
-		return distance < 0 ? 1 - beyond.at(-distance) : beyond.at(distance);
+	/** Of lines that add up, the share of a Gaussian beyond a distance, which may be negative. */
+	double beyond(final double distance) {
+		return distance < 0 ? 1 - curves.along.at(-distance) : curves.along.at(distance);
 	}
 
 	Robust robust() {

@@ -137,11 +137,12 @@ public final class Scene {
 	 * @param chain its new shape
 	 */
 	public void put(final int k, final Chain chain) {
-		if (members.get(k) != null)
+		final Member before = members.get(k);
+		if (before != null)
 			take(k);
 		members.set(k,
-			members.get(k) != null && members.get(k).chain == chain
-				? members.get(k).shown()
+			before != null && before.chain == chain
+				? before.shown()
 				: new Member(chain, Patch.around(List.of(chain), line.reach() + 1, light), NOT_YET,
 					true, false));
 	}

@@ -112,12 +112,8 @@ final class TipBeam {
 				final double t = (c - ax) * ux + (row - ay) * uy;
 				final double n = (row - ay) * ux - (c - ax) * uy;
 				part.pixels()[row * part.width() + c] -= line.across().at(n * n)
-					* (below(t) - below(t - h));
+					* (line.beyond(-t) - line.beyond(h - t));
 			}
-	}
-
-	private double below(final double t) {
-		return t < 0 ? line.along().at(-t) : 1 - line.along().at(t);
 	}
 
 	private List<Tip> longer(final List<Tip> tips) {

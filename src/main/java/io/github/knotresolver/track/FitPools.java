@@ -113,15 +113,18 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 	 */
 	FitPools withCourse(final FilamentCourse other, final Workers workers,
 		final Progress progress) {
-		final FitPools empty = new FitPools(frames, light, other, sets, fits, settings);
-		return new FitPools(frames, light, other, sets,
-			workers.map("Fitting the contours", progress, fits.size(), empty::again), settings);
+		final FitPools there = with(other, fits);
+		return with(other,
+			workers.map("Fitting the contours", progress, fits.size(), there::again));
+	}
+
+	private FitPools with(final FilamentCourse other, final List<List<Fit>> found) {
+		return new FitPools(frames, light, other, sets, found, settings);
 	}
 
 	private List<Fit> again(final int t) {
 		final FilamentFitter fitter = fitter(t);
-		final double dearest = TrackTuning.COURSE_HOPELESS
-			+ fits.get(t).stream().mapToDouble(Fit::energy).min().orElse(0);
+		final double dearest = TrackTuning.COURSE_HOPELESS + Propagation.cheapest(fits.get(t));
 		final FitPool pool = new FitPool();
 		for (final Fit fit : fits.get(t)) {
 			final Chain resized = fit.chain().resized(course.length().of(t)).divided(links());
@@ -171,14 +174,12 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 				jumps.put(t, freed.get(t).get().chain.start());
 		if (jumps.isEmpty())
 			return this;
-		final FitPools moved = new FitPools(frames, light,
-			course.withAnchor(course.anchor().withJumps(jumps)), sets, fits, settings);
-		return new FitPools(frames, light, moved.course, sets,
+		final FitPools moved = with(course.withAnchor(course.anchor().withJumps(jumps)), fits);
+		return with(moved.course,
 			workers.map(fits.size(),
 				t -> jumps.containsKey(t)
 					? moved.jumped(t, freed.get(t).orElseThrow().chain)
-					: fits.get(t)),
-			settings);
+					: fits.get(t)));
 	}
 
 	/**
@@ -207,13 +208,12 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 				.map(ContourBuilder::smooth)
 				.filter(c -> c.first().distanceTo(place) > TrackTuning.STILL_SKELETON);
 			if (seen.isPresent()) {
-				final int few = FitProposals.stiffLinks(links());
+				final FilamentFitter stiff = fitter(t, Optional.empty(),
+					settings.roughAndStiff(FitSettings.START_STIFFNESS),
+					FitProposals.stiffLinks(links()));
 				final Chain start = new FitProposals(frames.get(t), course.in(t), links(), false)
-					.start(seen.get()).divided(few);
-				final Fit own = free.fit(
-					fitter(t, Optional.empty(), settings.roughAndStiff(FitSettings.START_STIFFNESS),
-						few).fit(start, Optional.empty()).chain().divided(links()),
-					Optional.empty());
+					.start(seen.get());
+				final Fit own = free.fit(FitProposals.bent(start, stiff), Optional.empty());
 				freed = own.energy() < freed.energy() ? own : freed;
 			}
 			return new Freed(freed.chain(), freed.chain().start().distanceTo(place),
@@ -277,10 +277,8 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 		final TrellisPath path = FitTrellis
 			.course(fits, course.anchor(), MotionPrice.learn(fits, course.anchor()), progress)
 			.path();
-		return new FitPools(frames, light, course, sets,
-			workers.map("Exchanging strands", progress, fits.size(),
-				t -> path.choice()[t] < 0 ? fits.get(t) : exchanged(t, path.choice()[t])),
-			settings);
+		return with(course, workers.map("Exchanging strands", progress, fits.size(),
+			t -> path.choice()[t] < 0 ? fits.get(t) : exchanged(t, path.choice()[t])));
 	}
 
 	private List<Fit> exchanged(final int t, final int chosen) {

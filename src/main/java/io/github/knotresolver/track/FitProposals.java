@@ -49,6 +49,12 @@ record FitProposals(FrameView frame, FilamentEstimate estimate, int links, boole
 			.limit(TrackTuning.DRAWN).map(c -> start(c, estimate.fixedEnd())), fitter, stiff);
 	}
 
+	/** A start, fitted while it hardly bends, with as many links as it has. */
+	static Chain bent(final Chain start, final FilamentFitter stiff) {
+		return stiff.fit(start.divided(stiff.links()), Optional.empty()).chain()
+			.divided(start.links());
+	}
+
 	/** Starts that become the same while they hardly bend are fitted once. */
 	private static List<Fit> fitted(final Stream<Chain> starts, final FilamentFitter fitter,
 		final FilamentFitter stiff) {
@@ -56,8 +62,7 @@ record FitProposals(FrameView frame, FilamentEstimate estimate, int links, boole
 		final List<Chain> begun = new ArrayList<>();
 		double cheapest = Double.POSITIVE_INFINITY;
 		for (final Chain start : starts.toList()) {
-			final Chain bent = stiff.fit(start.divided(stiff.links()), Optional.empty()).chain()
-				.divided(start.links());
+			final Chain bent = bent(start, stiff);
 			if (begun.stream().anyMatch(b -> b.distance(bent) < TrackTuning.SAME_START))
 				continue;
 			begun.add(bent);

@@ -47,35 +47,23 @@ final class MendedSeed {
 		pieces = new SeedPieces(line, weights, start);
 	}
 
-	/** All filaments in the frames around the seed's. */
-	private record Course(List<List<Chain>> chains) {
-
-		private List<Chain> filament(final int k) {
-			return chains.stream().map(c -> c.get(k)).toList();
-		}
-	}
-
-	/** What a course leaves, and how often each filament is unclear. */
-	private record Priced(Course course, double price, int[] unclear) {
-	}
-
 	/** The filaments of a seed, those mended that can be followed better then, in all frames. */
 	ScenePass followed(final List<Chain> seed) {
-		final Course course = nearby(seed);
-		final Course mended = mended(course);
+		final ScenePass course = nearby(seed);
+		final ScenePass mended = mended(course);
 		return mended == course
 			? onwards(course)
-			: ScenePass.from(start, mended.chains.get(start - first), line, weights, workers,
+			: ScenePass.from(start, mended.chains().get(start - first), line, weights, workers,
 				progress);
 	}
 
-	private Course mended(final Course course) {
-		Priced now = priced(course);
+	private ScenePass mended(final ScenePass course) {
+		PricedPass now = priced(course);
 		final Set<List<Chain>> tried = new HashSet<>();
 		for (int round = 0; round < SceneTuning.MEND_ROUNDS; round++) {
-			final Priced before = now;
+			final PricedPass before = now;
 			final List<Other> others = others(now, tried);
-			others.forEach(o -> tried.add(of(before.course.chains.get(start - first), o.of())));
+			others.forEach(o -> tried.add(of(before.pass().chains().get(start - first), o.of())));
 			final List<Other> better = better(before, others);
 			now = better(before, better, better.size());
 			if (now == before)
@@ -83,13 +71,13 @@ final class MendedSeed {
 			if (now == before)
 				break;
 		}
-		return now.course;
+		return now.pass();
 	}
 
 	/** Those that can be followed better, the best first; of each filament one. */
-	private List<Other> better(final Priced now, final List<Other> others) {
+	private List<Other> better(final PricedPass now, final List<Other> others) {
 		final List<Double> more = workers.map("Looking for filaments", progress, others.size(),
-			i -> more(now.course, others.get(i)));
+			i -> more(now.pass(), others.get(i)));
 		final List<Other> better = new ArrayList<>();
 		IntStream.range(0, others.size()).boxed()
 			.filter(i -> more.get(i) < -SceneTuning.MEND_BETTER)
@@ -100,20 +88,20 @@ final class MendedSeed {
 	}
 
 	/** With the best of some others, if that leaves less light. */
-	private Priced better(final Priced now, final List<Other> others, final int most) {
+	private PricedPass better(final PricedPass now, final List<Other> others, final int most) {
 		if (others.isEmpty())
 			return now;
-		final Priced with = priced(
-			with(now.course, others.subList(0, Math.min(most, others.size()))));
-		return with.price < now.price ? with : now;
+		final PricedPass with = priced(
+			with(now.pass(), others.subList(0, Math.min(most, others.size()))));
+		return with.price() < now.price() ? with : now;
 	}
 
 	/**
 	 * What others cost more when they are followed, mean over the frames; infinite if that is soon
 	 * seen to be too much.
 	 */
-	private double more(final Course course, final Other other) {
-		final List<Chain> then = course.chains.get(start - first);
+	private double more(final ScenePass course, final Other other) {
+		final List<Chain> then = course.chains().get(start - first);
 		double more = more(start, SeedPieces.without(then, other.of()), of(then, other.of()),
 			other.instead());
 		for (final int step : new int[]{1, -1}) {
@@ -121,7 +109,7 @@ final class MendedSeed {
 				other.instead());
 			for (int t = start + step; t >= first && t < end; t += step) {
 				progress.checkCancelled();
-				final List<Chain> here = course.chains.get(t - first);
+				final List<Chain> here = course.chains().get(t - first);
 				final List<Chain> beside = SeedPieces.without(here, other.of());
 				more += more(t, beside, of(here, other.of()),
 					tracker.step(line.frames().get(t), beside));
@@ -153,46 +141,31 @@ final class MendedSeed {
 	}
 
 	/** A course on to both ends of the movie. */
-	private ScenePass onwards(final Course course) {
-		final int frames = line.frames().size();
-		final List<List<Chain>> near = course.chains;
+	private ScenePass onwards(final ScenePass course) {
+		final List<List<Chain>> near = course.chains();
+		final int last = near.size() - 1;
 		final List<List<List<Chain>>> ways = workers.map(2,
 			way -> way == 0
-				? onwards(near.get(Math.max(0, near.size() - 2)), near.get(near.size() - 1), end,
-					frames)
-				: onwards(near.get(Math.min(1, near.size() - 1)), near.get(0), first - 1, -1));
-		final List<List<Chain>> all = new ArrayList<>(ways.get(1));
-		Collections.reverse(all);
-		all.addAll(near);
-		all.addAll(ways.get(0));
-		return new ScenePass(start, all);
+				? ScenePass.followed(tracker(near.get(Math.max(0, last - 1)), near.get(last)), end,
+					line.frames().size(), line, progress)
+				: ScenePass.followed(tracker(near.get(Math.min(1, last)), near.get(0)), first - 1,
+					-1, line, progress));
+		return new ScenePass(start, ScenePass.joined(ways.get(1), near, ways.get(0)));
 	}
 
-	private List<List<Chain>> onwards(final List<Chain> before, final List<Chain> now,
-		final int from, final int to) {
-		final SceneTracker tracker = new SceneTracker(line.tables(), weights, line.noise(), before,
-			now);
-		final List<List<Chain>> all = new ArrayList<>();
-		for (int t = from; t != to; t += to > from ? 1 : -1) {
-			progress.checkCancelled();
-			all.add(tracker.step(line.frames().get(t)));
-		}
-		return all;
+	private SceneTracker tracker(final List<Chain> before, final List<Chain> now) {
+		return new SceneTracker(line.tables(), weights, line.noise(), before, now);
 	}
 
-	private Course nearby(final List<Chain> seed) {
+	private ScenePass nearby(final List<Chain> seed) {
 		final List<List<List<Chain>>> ways = workers.map(2,
 			way -> followed(seed, 1 - 2 * way, Collections.nCopies(end - first, List.of())));
-		return joined(seed, ways.get(0), ways.get(1));
+		return course(ways.get(1), seed, ways.get(0));
 	}
 
-	private static Course joined(final List<Chain> seed, final List<List<Chain>> after,
-		final List<List<Chain>> before) {
-		final List<List<Chain>> all = new ArrayList<>(before);
-		Collections.reverse(all);
-		all.add(seed);
-		all.addAll(after);
-		return new Course(all);
+	private ScenePass course(final List<List<Chain>> before, final List<Chain> seed,
+		final List<List<Chain>> after) {
+		return new ScenePass(start - first, ScenePass.joined(before, List.of(seed), after));
 	}
 
 	private List<List<Chain>> followed(final List<Chain> seed, final int step,
@@ -207,65 +180,58 @@ final class MendedSeed {
 	}
 
 	/** A course with other filaments instead of some, all others as they are. */
-	private Course with(final Course course, final List<Other> others) {
+	private ScenePass with(final ScenePass course, final List<Other> others) {
 		final List<Integer> out = others.stream().flatMap(o -> o.of().stream()).toList();
 		final List<Chain> in = others.stream().flatMap(o -> o.instead().stream()).toList();
-		final List<List<Chain>> beside = course.chains.stream().map(c -> SeedPieces.without(c, out))
-			.toList();
-		final Course two = joined(in, followed(in, 1, beside), followed(in, -1, beside));
+		final List<List<Chain>> beside = course.chains().stream()
+			.map(c -> SeedPieces.without(c, out)).toList();
+		final ScenePass two = course(followed(in, -1, beside), in, followed(in, 1, beside));
 		final List<List<Chain>> all = new ArrayList<>();
 		for (int i = 0; i < beside.size(); i++) {
 			final List<Chain> here = new ArrayList<>(beside.get(i));
-			here.addAll(two.chains.get(i));
+			here.addAll(two.chains().get(i));
 			all.add(here);
 		}
-		return new Course(all);
+		return new ScenePass(start - first, all);
 	}
 
 	private static List<Chain> of(final List<Chain> chains, final List<Integer> which) {
 		return which.stream().map(chains::get).toList();
 	}
 
-	private double price(final Course course) {
-		return IntStream.range(first, end)
-			.mapToDouble(t -> line.left(t, course.chains.get(t - first))).average().orElse(0)
-			+ SceneTuning.PER_FILAMENT * course.chains.get(0).size();
-	}
-
-	private Priced priced(final Course course) {
-		final int n = course.chains.get(0).size();
-		final List<boolean[]> clear = workers.map(end - first, i -> {
-			final Unexplained left = new Unexplained(line.scene(first + i, course.chains.get(i)),
-				line.noise());
-			final boolean[] c = new boolean[n];
-			for (int k = 0; k < n; k++)
-				c[k] = left.isClear(course.chains.get(i).get(k));
-			return c;
-		});
-		final int[] unclear = new int[n];
-		for (final boolean[] c : clear)
-			for (int k = 0; k < n; k++)
-				unclear[k] += c[k] ? 0 : 1;
-		return new Priced(course, price(course), unclear);
+	private PricedPass priced(final ScenePass course) {
+		return PricedPass.of(course, first, line, workers);
 	}
 
 	/** What those might be around which light is left, and what was not tried yet. */
-	private List<Other> others(final Priced now, final Set<List<Chain>> tried) {
-		final List<Chain> seed = now.course.chains.get(start - first);
-		final double most = SceneTuning.SELDOM_UNCLEAR * (end - first);
+	private List<Other> others(final PricedPass now, final Set<List<Chain>> tried) {
+		final List<Chain> seed = now.pass().chains().get(start - first);
+		final boolean[] lost = lost(now);
 		final List<List<Other>> all = workers.map(seed.size(), i -> {
 			final List<Other> of = new ArrayList<>();
-			if (now.unclear[i] <= most)
+			if (!lost[i])
 				return of;
 			if (!tried.contains(List.of(seed.get(i))))
-				of.addAll(pieces.cuts(seed, i, first, now.course.filament(i)));
+				of.addAll(pieces.cuts(seed, i, first, now.pass().filament(i)));
 			for (int j = 0; j < seed.size(); j++)
-				if (j != i && !(j < i && now.unclear[j] > most)
+				if (j != i && !(j < i && lost[j])
 					&& seed.get(i).comesNear(seed.get(j), SceneTuning.SWAP_TOUCH)
 					&& !tried.contains(List.of(seed.get(i), seed.get(j))))
 					of.addAll(pieces.exchanges(seed, i, j));
 			return of;
 		});
 		return all.stream().flatMap(List::stream).toList();
+	}
+
+	/** For each filament whether light is left around it more than seldom. */
+	private boolean[] lost(final PricedPass course) {
+		final boolean[] lost = new boolean[course.clear().length];
+		for (int k = 0; k < lost.length; k++) {
+			int unclear = 0;
+			for (final boolean clear : course.clear()[k])
+				unclear += clear ? 0 : 1;
+			lost[k] = unclear > SceneTuning.SELDOM_UNCLEAR * (end - first);
+		}
+		return lost;
 	}
 }

@@ -20,13 +20,19 @@ record PricedPass(ScenePass pass, double[] left, boolean[][] clear) {
 
 	/** Looks at what a pass leaves in all frames; O(pixels frames). */
 	static PricedPass of(final ScenePass pass, final SceneLine line, final Workers workers) {
+		return of(pass, 0, line, workers);
+	}
+
+	/** The same of one that begins in a later frame. */
+	static PricedPass of(final ScenePass pass, final int first, final SceneLine line,
+		final Workers workers) {
 		final int n = pass.chains().size();
 		final double[] left = new double[n];
 		final boolean[][] clear = new boolean[pass.filaments()][n];
 		workers.map(n, t -> {
-			final Scene scene = line.scene(t, pass.chains().get(t));
+			final Scene scene = line.scene(first + t, pass.chains().get(t));
 			final Unexplained unexplained = new Unexplained(scene, line.noise());
-			left[t] = line.left(t, scene, unexplained);
+			left[t] = line.left(first + t, scene, unexplained);
 			for (int k = 0; k < clear.length; k++)
 				clear[k][t] = unexplained.isClear(pass.chains().get(t).get(k));
 			return t;

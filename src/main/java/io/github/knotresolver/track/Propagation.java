@@ -124,7 +124,8 @@ final class Propagation {
 			|| fit.energy() > TrackTuning.HOPELESS + cheapest(known);
 	}
 
-	private static double cheapest(final List<Fit> fits) {
+	/** The energy of the cheapest of some fits; infinite if there is none. */
+	static double cheapest(final List<Fit> fits) {
 		return fits.stream().mapToDouble(Fit::energy).min().orElse(Double.POSITIVE_INFINITY);
 	}
 

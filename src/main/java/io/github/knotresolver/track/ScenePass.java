@@ -25,25 +25,40 @@ record ScenePass(int start, List<List<Chain>> chains) {
 	/** Follows the filaments of a seed forwards and backwards, both at the same time. */
 	static ScenePass from(final int start, final List<Chain> seed, final SceneLine line,
 		final SceneWeights weights, final Workers workers, final Progress progress) {
-		final List<List<List<Chain>>> ways = workers.map(2,
-			way -> followed(start, 1 - 2 * way, seed, line, weights, progress));
-		final List<List<Chain>> all = new ArrayList<>(ways.get(1));
-		Collections.reverse(all);
-		all.add(seed);
-		all.addAll(ways.get(0));
-		return new ScenePass(start, all);
+		final List<List<List<Chain>>> ways = workers.map(2, way -> {
+			final SceneTracker tracker = new SceneTracker(line.tables(), weights, line.noise(),
+				seed);
+			return way == 0
+				? followed(tracker, start + 1, line.frames().size(), line, progress)
+				: followed(tracker, start - 1, -1, line, progress);
+		});
+		return new ScenePass(start, joined(ways.get(1), List.of(seed), ways.get(0)));
 	}
 
-	/** The filaments in the frames after the seed's, or in those before it from the last to the first. */
-	private static List<List<Chain>> followed(final int start, final int direction,
-		final List<Chain> seed, final SceneLine line, final SceneWeights weights,
-		final Progress progress) {
-		final SceneTracker tracker = new SceneTracker(line.tables(), weights, line.noise(), seed);
+	/** The filaments from a frame on, forwards or backwards until one that is not followed any more. */
+	static List<List<Chain>> followed(final SceneTracker tracker, final int from, final int until,
+		final SceneLine line, final Progress progress) {
 		final List<List<Chain>> all = new ArrayList<>();
-		for (int t = start + direction; t >= 0 && t < line.frames().size(); t += direction) {
+		for (int t = from; t != until; t += until > from ? 1 : -1) {
 			progress.checkCancelled();
 			all.add(tracker.step(line.frames().get(t)));
 		}
+		return all;
+	}
+
+	/**
+	 * The filaments in all frames.
+	 *
+	 * @param before in those before some, from the last to the first
+	 * @param some in these
+	 * @param after in those after them
+	 */
+	static List<List<Chain>> joined(final List<List<Chain>> before, final List<List<Chain>> some,
+		final List<List<Chain>> after) {
+		final List<List<Chain>> all = new ArrayList<>(before);
+		Collections.reverse(all);
+		all.addAll(some);
+		all.addAll(after);
 		return all;
 	}
 

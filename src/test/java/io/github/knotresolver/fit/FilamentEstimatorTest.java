@@ -233,11 +233,11 @@ class FilamentEstimatorTest {
 			hazy[i] = Math.min(1, 0.2 + 0.16 * (50 - i));
 			dim[i] = 1 - 0.016 * i;
 		}
-		assertEquals(1.875, FadedEnds.of(hazy, 50).tip(), 1e-9);
-		assertEquals(2.75, FadedEnds.of(hazy, 100).tip(), 1e-9);
-		assertEquals(0, FadedEnds.of(hazy, 50).start());
-		assertEquals(0, FadedEnds.of(dim, 50).tip());
-		assertEquals(0, FadedEnds.of(new double[]{1}, 50).tip());
+		assertEquals(1.875, faded(hazy, 50).tip(), 1e-9);
+		assertEquals(2.75, faded(hazy, 100).tip(), 1e-9);
+		assertEquals(0, faded(hazy, 50).start());
+		assertEquals(0, faded(dim, 50).tip());
+		assertEquals(0, faded(new double[]{1}, 50).tip());
 	}
 
 	@Test
@@ -245,5 +245,9 @@ class FilamentEstimatorTest {
 		assertTrue(BrightnessProfile.hasBrightEnd(new double[]{1.9, 1.3, 0.8, 1, 1}));
 		assertTrue(BrightnessProfile.hasBrightEnd(new double[]{1, 1, 1.7}));
 		assertFalse(BrightnessProfile.hasBrightEnd(new double[]{1.2, 1.9, 0.2}));
+	}
+
+	private static FadedEnds faded(final double[] brightness, final double length) {
+		return FadedEnds.of(new LineModel(LineModel.Kind.ADDITIVE, 1.7, 1, brightness), length);
 	}
 }
