@@ -3,6 +3,7 @@ package io.github.knotresolver.track;
 
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Point;
@@ -33,6 +34,22 @@ final class CrossingLight {
 			? OptionalDouble.empty()
 			: OptionalDouble.of(seen[(int) (SceneTuning.CROSSINGS_QUANTILE * (seen.length - 1))]
 				/ SceneTuning.MEAN_OF_RIDGE);
+	}
+
+	/**
+	 * The light of the brightest place on any line: where light adds up, strands that lie on each
+	 * other are as bright as two somewhere, whatever their skeleton looks like. O(pixels of
+	 * skeletons).
+	 *
+	 * @param frames frames with the light in strands
+	 * @return in strands; 0 if there is no line
+	 */
+	static double brightest(final List<FrameView> frames) {
+		return frames.stream()
+			.flatMapToDouble(f -> f.graph().segments().stream()
+				.flatMapToDouble(s -> IntStream.range(0, s.curve().size())
+					.mapToDouble(i -> f.light().meanAround(s.curve().x(i), s.curve().y(i)))))
+			.filter(Double::isFinite).max().orElse(0) / SceneTuning.MEAN_OF_RIDGE;
 	}
 
 	/** The brightest 3 x 3 pixels around a place. */

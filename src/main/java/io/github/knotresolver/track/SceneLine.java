@@ -124,10 +124,10 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		final Optional<LineEstimate> additive = kinds.contains(LineModel.Kind.ADDITIVE)
 			? Optional.of(learn(looks.open, LineModel.Kind.ADDITIVE, progress))
 			: Optional.empty();
-		final OptionalDouble crossings = additive
-			.map(l -> CrossingLight.of(
-				looks.all.stream().map(f -> f.rescaled(l.background(), l.amplitude())).toList()))
-			.orElse(OptionalDouble.empty());
+		final List<FrameView> scaled = additive.map(
+			l -> looks.all.stream().map(f -> f.rescaled(l.background(), l.amplitude())).toList())
+			.orElse(List.of());
+		final OptionalDouble crossings = CrossingLight.of(scaled);
 		if (crossings.isPresent() && crossings.getAsDouble() > SceneTuning.CROSSING_DOUBLE)
 			return additive.get();
 		final LineEstimate blunt = learn(looks.open, LineModel.Kind.SATURATING, progress);
@@ -135,7 +135,12 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		final LineEstimate saturating = blurred.residual() < blunt.residual() ? blurred : blunt;
 		// Without crossings, light adds up where a lens blurs the ends.
 		final LineEstimate rival = crossings.isPresent() ? saturating : blunt;
-		return additive.filter(a -> doubt(a, looks.crossed) <= doubt(rival, looks.crossed))
+		// Strands meet, and nothing is as bright as two: it must be told clearly that light adds up.
+		final double share = crossings.isPresent()
+			&& CrossingLight.brightest(scaled) <= SceneTuning.CROSSING_DOUBLE
+				? SceneTuning.VISIBLY_LESS
+				: 1;
+		return additive.filter(a -> doubt(a, looks.crossed) <= share * doubt(rival, looks.crossed))
 			.orElse(saturating);
 	}
 

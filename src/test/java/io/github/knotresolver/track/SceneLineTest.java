@@ -17,6 +17,7 @@ import io.github.knotresolver.fit.LineModel.Kind;
 import io.github.knotresolver.fit.LineTables;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.fit.Scene;
+import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.image.Pixels;
@@ -60,9 +61,12 @@ class SceneLineTest {
 			Chain.inScene(Polyline.of(new double[]{15, 105}, new double[]{30 + t, 40}), 91),
 			Chain.inScene(Polyline.of(new double[]{30, 35 + t}, new double[]{15, 105}), 90),
 			Chain.inScene(Polyline.of(new double[]{90 - t, 60}, new double[]{20, 105}), 90));
-		final Random random = new Random(t);
-		final double[] light = new Scene(dark, LineTables.together(line), chains).residual()
-			.pixels();
+		return seen(t, new Scene(dark, LineTables.together(line), chains), new Random(t));
+	}
+
+	/** What is drawn, with noise, and what of it is brighter than half of one. */
+	private static FrameView seen(final int t, final Scene scene, final Random random) {
+		final double[] light = scene.residual().pixels();
 		final boolean[] bright = new boolean[light.length];
 		for (int i = 0; i < light.length; i++) {
 			bright[i] = light[i] < -0.5;
@@ -84,6 +88,37 @@ class SceneLineTest {
 			SceneLine
 				.learn(frames, List.of(Kind.SATURATING, Kind.ADDITIVE), Workers.HERE, Progress.NONE)
 				.tables().model().kind());
+	}
+
+	/** A filament that lies open at first, then runs into rings that it winds up itself. */
+	private static FrameView wound(final int t, final Random random, final LineModel line) {
+		final double length = 86, from = 5.11 * Math.max(0, t - 4);
+		double x = 20, y = 60, heading = 0;
+		final List<Point> points = new ArrayList<>();
+		for (double s = 0; s <= from + length; s += 0.5) {
+			heading += s < length ? 0 : 0.5 * (0.208 + 0.117 * Math.sin(0.317 * (s - length)));
+			x += 0.5 * Math.cos(heading);
+			y += 0.5 * Math.sin(heading);
+			if (s >= from)
+				points.add(new Point(x - from * 0.6, y));
+		}
+		final NormalizedFrame dark = new NormalizedFrame(SIZE, SIZE, new double[SIZE * SIZE]);
+		final Chain chain = Chain.along(Polyline.of(points), 57, length);
+		return seen(t, new Scene(dark, LineTables.together(line), List.of(chain)), random);
+	}
+
+	@ParameterizedTest
+	@CsvSource({"ADDITIVE,1", "BRIGHTEST,1"})
+	void whatIsWoundUpAndNowhereAsBrightAsTwoDoesNotAddUp(final Kind kind, final double power) {
+		for (int seed = 0; seed < 3; seed++) {
+			final Random random = new Random(seed);
+			final List<FrameView> frames = new ArrayList<>();
+			for (int t = 0; t < 14; t++)
+				frames.add(wound(t, random, LineModel.uniform(kind, 1.4, power)));
+			assertEquals(kind, SceneLine
+				.learn(frames, List.of(Kind.SATURATING, Kind.ADDITIVE), Workers.HERE, Progress.NONE)
+				.tables().model().kind(), "noise " + seed);
+		}
 	}
 
 	@Test
