@@ -2,6 +2,7 @@ package io.github.knotresolver.fit;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
@@ -61,10 +62,29 @@ final class BrightnessProfile {
 
 	/**
 	 * @param brightness relative brightness at equal spacing
-	 * @return whether an end of it is so bright that something else must lie there
+	 * @param length of the filament in pixels
+	 * @return whether an end of it is so bright that something else must lie there: brighter than a
+	 *         strand is, or than what is just before it, which is dimmer than what is before that
 	 */
-	static boolean hasBrightEnd(final double[] brightness) {
-		return Math.max(brightness[0], brightness[brightness.length - 1]) > FitTuning.BRIGHT_END;
+	static boolean hasBrightEnd(final double[] brightness, final double length) {
+		final int near = (int) Math.rint(FitTuning.KNOT_SPACING * (brightness.length - 1) / length);
+		return Math.max(brightness[0], brightness[brightness.length - 1]) > FitTuning.BRIGHT_END
+			|| hasSpotAtEnd(i -> brightness[i], near, brightness.length)
+			|| hasSpotAtEnd(i -> brightness[brightness.length - 1 - i], near, brightness.length);
+	}
+
+	private static boolean hasSpotAtEnd(final IntToDoubleFunction fromEnd, final int near,
+		final int size) {
+		int dip = 0;
+		for (int i = 0; i <= Math.min(near, size - 1); i++)
+			if (fromEnd.applyAsDouble(i) < fromEnd.applyAsDouble(dip))
+				dip = i;
+		double before = 0;
+		for (int i = dip; i <= Math.min(2 * near, size - 1); i++)
+			before = Math.max(before, fromEnd.applyAsDouble(i));
+		final double dark = fromEnd.applyAsDouble(dip);
+		return fromEnd.applyAsDouble(0) > FitTuning.SPOT_AT_END * dark
+			&& before > FitTuning.BEFORE_SPOT * dark;
 	}
 
 	private double[] estimate() {

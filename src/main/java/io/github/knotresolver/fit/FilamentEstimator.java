@@ -78,7 +78,8 @@ public final class FilamentEstimator {
 		return learned.stream().filter(Learned::isLine)
 			.filter(l -> kinds.size() == 1 || l.isPlausible())
 			.min(Comparator.comparingDouble(Learned::misfit))
-			.map(l -> evenOrNot(l, fitting.released()).summary());
+			.map(l -> evenOrNot(l, fitting.released()).summary())
+			.map(e -> e.orGuessed(!fitting.isOpen() && sightings.size() < FitTuning.FEWEST_CLOSED));
 	}
 
 	/**
@@ -209,7 +210,7 @@ public final class FilamentEstimator {
 		boolean isPlausible() {
 			final boolean additive = line.model().kind() == LineModel.Kind.ADDITIVE;
 			return LineEstimator.isClipped(examples)
-				? !additive || line.unexplained() < WELL
+				? !additive || line.unexplainedBesidesNoise() < WELL
 				: additive || line.model().power() > FitTuning.FLAT_POWER;
 		}
 
@@ -281,7 +282,8 @@ public final class FilamentEstimator {
 			if (round + 1 >= FitTuning.FEWEST_PROFILE_ROUNDS
 				&& Math.abs(usualLength(examples) / before - 1) < FitTuning.PROFILE_SETTLED)
 				return withoutHaze(
-					new Learned(examples, line, BrightnessProfile.hasBrightEnd(brightness)),
+					new Learned(examples, line,
+						BrightnessProfile.hasBrightEnd(brightness, usualLength(examples))),
 					fitting);
 		}
 		return new Learned(examples, line, true);

@@ -203,10 +203,30 @@ final class FitTuning {
 	static final double BEYOND_GAP = 2;
 
 	/**
+	 * [frames] Where the filament lies on itself in all frames that are looked at, fewer leave its
+	 * length a guess. Why: in one of them a wrong way through itself, or to something beside it, is as
+	 * likely as the right one.
+	 */
+	static final int FEWEST_CLOSED = 2;
+
+	/**
 	 * [strands] An end that is brighter is a guess. Why: a bead beside it makes it so, speckle of a
 	 * third of the brightness seldom does.
 	 */
 	static final double BRIGHT_END = 1.6;
+
+	/**
+	 * [ratio] An end is a guess, too, if it is so much brighter than the dimmest place within
+	 * {@code KNOT_SPACING} of it. Why: a spot that a curve was led to over a gap of less than a few
+	 * line widths; knots half that far apart leave 0.6 of what is dark.
+	 */
+	static final double SPOT_AT_END = 1.5;
+
+	/**
+	 * [ratio] ... and what is before that place, within twice that, is so much brighter than it. Why:
+	 * where nothing is brighter before it, the filament becomes dimmer towards its middle.
+	 */
+	static final double BEFORE_SPOT = 1.3;
 
 	/**
 	 * [ratio] An end that is so much dimmer than the filament is {@code THIRD_END_KNOT} before it

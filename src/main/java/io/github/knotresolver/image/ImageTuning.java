@@ -140,8 +140,8 @@ final class ImageTuning {
 	static final double THINNEST_LINE = 0.7;
 
 	/**
-	 * [px] A line that is wider than one pixel has at least this width after binning. Why: binned
-	 * further, strands that lie side by side melt.
+	 * [px] A wide line is binned until it is about so wide. Why: that samples it well, and a fit takes
+	 * as much longer as the square of the width; much narrower, strands that lie side by side melt.
 	 */
 	static final double COARSE_LINE = 1.4;
 

@@ -5,6 +5,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 import net.imglib2.RandomAccess;
@@ -52,7 +53,7 @@ record Clipping(double ceiling, double share, double most) {
 			SessionTuning.CLIPPED_LENGTH);
 	}
 
-	/** The brightest (of dark lines, the darkest) pixels at each pixel of the skeleton. */
+	/** How bright (of dark lines, how dark) the line is at each pixel of the skeleton. */
 	private static double[] crests(final Movie movie, final FrameView frame,
 		final WorkingPixels pixels) {
 		final FrameEvidence evidence = frame.evidence().orElseThrow();
@@ -64,24 +65,30 @@ record Clipping(double ceiling, double share, double most) {
 			.max(Comparator.comparingInt(MaskObject::pixels));
 		return IntStream.range(0, evidence.size())
 			.filter(i -> parts.at(evidence.x(i), evidence.y(i)).equals(longest))
-			.mapToDouble(i -> largest(image, pixels.out(new Point(evidence.x(i), evidence.y(i))),
+			.mapToDouble(i -> crest(image, pixels.out(new Point(evidence.x(i), evidence.y(i))),
 				pixels.binning(), sign))
 			.toArray();
 	}
 
-	private static <T extends RealType<?>> double largest(final RandomAccessibleInterval<T> image,
-		final Point at, final int radius, final int sign) {
+	/**
+	 * The largest value beside a pixel of the skeleton; where that stands for a block of pixels, their
+	 * median: noise takes some of them to the ceiling, and no strand.
+	 */
+	private static <T extends RealType<?>> double crest(final RandomAccessibleInterval<T> image,
+		final Point at, final int block, final int sign) {
 		final RandomAccess<T> access = Views.extendBorder(image).randomAccess();
 		final long x = Math.round(at.x()), y = Math.round(at.y());
-		double largest = Double.NEGATIVE_INFINITY;
+		final int radius = Math.max(1, block / 2);
+		final DoubleStream.Builder values = DoubleStream.builder();
 		for (long v = y - radius; v <= y + radius; v++)
-			for (long u = x - radius; u <= x + radius; u++) {
-				final double value = sign
-					* access.setPositionAndGet(image.min(0) + u, image.min(1) + v).getRealDouble();
-				// False for pixels without a value.
-				largest = value > largest ? value : largest;
-			}
-		return largest;
+			for (long u = x - radius; u <= x + radius; u++)
+				values.add(sign
+					* access.setPositionAndGet(image.min(0) + u, image.min(1) + v).getRealDouble());
+		// Pixels may be without a value.
+		final double[] sorted = values.build().filter(Double::isFinite).sorted().toArray();
+		if (sorted.length == 0)
+			return Double.NEGATIVE_INFINITY;
+		return sorted[block == 1 ? sorted.length - 1 : sorted.length / 2];
 	}
 
 	private static Clipping of(final List<double[]> values, final double most) {

@@ -189,4 +189,13 @@ final class SkeletonTuning {
 
 	private SkeletonTuning() {
 	}
+
+	/**
+	 * [ratio] Focus wanders if lines are so much wider in some of the frames that are looked at than
+	 * in others. Why: noise and beads change them by a fifth.
+	 */
+	static final double WANDERS = 1.3;
+
+	/** [frames] Of so many the widest and the narrowest do not count. Why: beads make one of eight wide. */
+	static final int MANY_LOOKS = 5;
 }

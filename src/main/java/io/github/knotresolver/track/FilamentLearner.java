@@ -133,7 +133,7 @@ record FilamentLearner(Set<LineModel.Kind> kinds, LengthModel lengths, Workers w
 		final AnchorPath anchor = look.ends.settled(open, estimate.fixedEnd());
 		final int frames = look.frames.size();
 		final Lengths length = Lengths.of(open, frames,
-			look.told.isEmpty() && lengths == LengthModel.AUTO);
+			look.told.isEmpty() && lengths == LengthModel.AUTO && !estimate.guessed());
 		final FilamentEstimate settled = look.told.isPresent() ? estimate : length.settle(estimate);
 		return new Seen(look,
 			new FilamentCourse(settled, anchor, length.course(settled.length(), frames), 0,

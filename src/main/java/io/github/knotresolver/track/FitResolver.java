@@ -79,21 +79,26 @@ public final class FitResolver {
 				: settled(seen));
 	}
 
+	private FitSolver settled(final Seen seen) {
+		final Again steady = steadyIfAsGood(seen);
+		return settled(steady.seen, steady.solver);
+	}
+
 	/**
 	 * A length that changes must explain the movie better than one that does not: haze that an end
-	 * comes into looks like growth.
+	 * comes into looks like growth, a tip that lies on the filament as if it broke.
 	 */
-	private FitSolver settled(final Seen seen) {
+	private Again steadyIfAsGood(final Seen seen) {
 		final FitSolver first = new FitSolver(pools(seen));
 		final FilamentCourse course = seen.course();
 		if (course.length().kind() == LengthCourse.Kind.CONSTANT)
-			return settled(seen, first);
+			return new Again(seen, first);
 		final LengthCourse level = course.length().levelled();
 		final Seen same = seen.withCourse(course.withLength(level)
 			.withEstimate(course.estimate().withLength(level.of(0), Double.NaN)));
 		final FitSolver other = new FitSolver(pools(same));
 		return first.solved(progress).price() < other.solved(progress).price()
-			- TrackTuning.HOPELESS ? settled(seen, first) : settled(same, other);
+			- TrackTuning.HOPELESS ? new Again(seen, first) : new Again(same, other);
 	}
 
 	private FitSolver settled(final Seen seen, final FitSolver first) {
@@ -120,9 +125,9 @@ public final class FitResolver {
 		final FitResolver free = new FitResolver(generator, kinds, LengthModel.FREE, workers,
 			progress);
 		return Lengths.found(new FitSolver(free.pools(seen)).solved(progress), seen.course())
-			.map(course -> new FitSolver(pools(seen.withCourse(course))))
+			.stream().map(course -> steadyIfAsGood(seen.withCourse(course)).solver)
 			.filter(again -> again.solved(progress).price() < solved.price() - TrackTuning.HOPELESS)
-			.orElseGet(() -> first.withLengthOfAll(workers, progress));
+			.findFirst().orElseGet(() -> first.withLengthOfAll(workers, progress));
 	}
 
 	/**

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.geometry.RobustStatistics;
@@ -39,23 +40,31 @@ record Lengths(double[] whole, double longestCut, double cutShare,
 	}
 
 	/**
-	 * The course of a length that grows, shrinks or breaks, from contours that are as long as their
+	 * Courses of a length that grows, shrinks or breaks, from contours that are as long as their
 	 * light says. Where several filaments are taken for one, its length wanders: that is no course.
 	 *
 	 * @param free the movie as fitted with free lengths
 	 * @param known what was known of the filament
-	 * @return the same with the length as it was found; empty if there is no such course
+	 * @return the same with the length as it was found: first from frames in which the tip is free,
+	 *         since one that lies on the filament says little of where it ends; then from all
 	 */
-	static Optional<FilamentCourse> found(final FitTrellis.Solved free,
-		final FilamentCourse known) {
-		final int frames = free.lengths().length;
-		final int[] seen = IntStream.range(0, frames)
+	static List<FilamentCourse> found(final FitTrellis.Solved free, final FilamentCourse known) {
+		final int[] seen = IntStream.range(0, free.lengths().length)
 			.filter(t -> free.looks().get(t).filter(FitLook::endsWithLight).isPresent()
 				&& free.frames().get(t).visible() == 1)
 			.toArray();
+		final int[] open = Arrays.stream(seen)
+			.filter(t -> GuessedLength.isTipFree(free.frames().get(t), known.estimate().model()))
+			.toArray();
+		return Stream.of(open, seen).flatMap(frames -> found(free, frames, known).stream())
+			.toList();
+	}
+
+	private static Optional<FilamentCourse> found(final FitTrellis.Solved free, final int[] seen,
+		final FilamentCourse known) {
 		final double[] whole = Arrays.stream(seen).mapToDouble(t -> free.lengths()[t]).toArray();
 		final Lengths found = new Lengths(whole, 0, 0,
-			LengthCourse.changing(seen, whole, frames).filter(
+			LengthCourse.changing(seen, whole, free.lengths().length).filter(
 				c -> c.kind() == LengthCourse.Kind.STEADY || c.kind() == LengthCourse.Kind.BROKEN));
 		return found.changing
 			.map(c -> known.withLength(c).withEstimate(found.settle(known.estimate())));
@@ -70,11 +79,12 @@ record Lengths(double[] whole, double longestCut, double cutShare,
 	FilamentEstimate settle(final FilamentEstimate estimate) {
 		if (changing.isPresent())
 			return estimate.withLength(
-				Arrays.stream(changing.get().lengths()).max().orElse(estimate.length()));
+				Arrays.stream(changing.get().lengths()).max().orElse(estimate.length()),
+				Double.NaN);
 		if (cutShare <= TrackTuning.CUT_FRAMES && !Double.isNaN(estimate.lengthError()))
 			return estimate;
 		if (whole.length < TrackTuning.WHOLE_FRAMES)
-			return estimate.withLength(Math.max(estimate.length(), longestCut));
+			return estimate.withLength(Math.max(estimate.length(), longestCut), Double.NaN);
 		return common(whole).map(c -> estimate.withLength(c.length, c.error)).orElse(estimate);
 	}
 

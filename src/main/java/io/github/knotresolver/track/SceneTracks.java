@@ -109,19 +109,16 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 			}
 		}
 		final List<Filament> filaments = new ArrayList<>();
-		int specks = 0;
+		final Specks specks = Specks.of(chains, line.tables().model().sigma());
 		for (int k = 0; k < usual.length; k++)
-			if (chains.get(k).get(0).length() < SceneTuning.SCENE_SPECK
-				* line.tables().model().sigma())
-				specks++;
-			else
+			if (!specks.has(chains.get(k)))
 				filaments.add(new Filament(ends.get(k).clamped(), ends.get(k).roams(),
 					chains.get(k).get(0).length(), settled.get(k).lengthError(),
-					ends.get(k).doubted(SceneConfidence.together(observed.get(k)))));
+					specks.doubted(chains.get(k),
+						ends.get(k).doubted(SceneConfidence.together(observed.get(k))))));
 		filaments.sort(ORDER);
 		final List<String> notes = new ArrayList<>(new DoubtfulEpisodes(filaments).notes());
-		if (specks > 0)
-			notes.add(specksNote(specks));
+		notes.addAll(specks.notes());
 		return new SceneTracks(line.tables().model(), filaments, notes);
 	}
 
@@ -134,12 +131,6 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 			unclear[k] /= clear[k].length;
 		}
 		return unclear;
-	}
-
-	private static String specksNote(final int specks) {
-		return specks + (specks == 1 ? " object was" : " objects were")
-			+ " modelled but not counted as filaments: they are shorter than "
-			+ Math.round(SceneTuning.SCENE_SPECK) + " times the line's sigma.";
 	}
 
 	/**

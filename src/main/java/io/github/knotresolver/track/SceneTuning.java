@@ -331,6 +331,15 @@ final class SceneTuning {
 	 */
 	static final double SCENE_SPECK = 16;
 
+	/** [line sigma] What is shorter is a spot. Why: one is no longer than two line widths. */
+	static final double SPECK_LINE = 5;
+
+	/**
+	 * [frames, share] A longer one that is beside a filament in more of them may be a part of it. Why:
+	 * what passes by is there for some frames.
+	 */
+	static final double STAYS_BESIDE = 0.5;
+
 	/**
 	 * [probability] A free filament that is less sure on average may be a clamped one that winds
 	 * up. Why: free ones that are resolved are surer.

@@ -242,9 +242,69 @@ class FilamentEstimatorTest {
 
 	@Test
 	void anEndThatIsFarBrighterIsABead() {
-		assertTrue(BrightnessProfile.hasBrightEnd(new double[]{1.9, 1.3, 0.8, 1, 1}));
-		assertTrue(BrightnessProfile.hasBrightEnd(new double[]{1, 1, 1.7}));
-		assertFalse(BrightnessProfile.hasBrightEnd(new double[]{1.2, 1.9, 0.2}));
+		assertTrue(BrightnessProfile.hasBrightEnd(new double[]{1.9, 1.3, 0.8, 1, 1}, 30));
+		assertTrue(BrightnessProfile.hasBrightEnd(new double[]{1, 1, 1.7}, 30));
+		assertFalse(BrightnessProfile.hasBrightEnd(new double[]{1.2, 1.9, 0.2}, 30));
+	}
+
+	/**
+	 * As of curves that were led over a short gap to a spot beside the filament's end, of one that is
+	 * brighter at its end, and of one that is dim in its middle.
+	 */
+	@Test
+	void anEndThatIsBrighterThanADipBeforeItIsASpot() {
+		final double[] spot = new double[101], bright = new double[101], dim = new double[101];
+		for (int i = 0; i < spot.length; i++) {
+			spot[i] = i < 4 ? 1.3 : i < 12 ? 0.7 : 1.05;
+			bright[i] = i < 4 ? 1.3 : 1;
+			dim[i] = 1.4 - 0.8 * Math.sin(Math.PI * i / 100);
+		}
+		assertTrue(BrightnessProfile.hasBrightEnd(spot, 100));
+		assertFalse(BrightnessProfile.hasBrightEnd(bright, 100));
+		assertFalse(BrightnessProfile.hasBrightEnd(dim, 100));
+		final double[] turned = spot.clone();
+		for (int i = 0; i < spot.length; i++)
+			turned[i] = spot[100 - i];
+		assertTrue(BrightnessProfile.hasBrightEnd(turned, 100));
+		// So far apart in pixels they are no spot.
+		assertFalse(BrightnessProfile.hasBrightEnd(spot, 400));
+	}
+
+	/** Strong noise, of which the camera cuts off what is above a strand. */
+	@Test
+	void noiseThatIsCutOffMakesNoFlatLine() {
+		final double noise = 0.5;
+		final FilamentEstimate estimate = estimate(
+			LineModel.uniform(LineModel.Kind.ADDITIVE, 1.5, 1), noise, frame -> {
+				final double[] cut = Arrays.stream(frame.pixels()).map(v -> Math.min(1.4, v))
+					.toArray(), height = new double[cut.length];
+				Arrays.fill(height, 1.4 - noise);
+				return new NormalizedFrame(frame.width(), frame.height(), cut).withCeiling(height);
+			});
+		assertEquals(LineModel.Kind.ADDITIVE, estimate.model().kind());
+	}
+
+	@Test
+	void aLengthFromOneFrameInWhichItLiesOnItselfIsAGuess() {
+		final LineModel model = LineModel.uniform(LineModel.Kind.ADDITIVE, 1.4, 1);
+		final List<Sighting> one = new ArrayList<>(), two = new ArrayList<>();
+		for (int t = 0; t < 2; t++) {
+			final Polyline around = ring(0.5 * t, 2 * Math.PI + 14.0 / RING, 1);
+			final NormalizedFrame frame = DrawnMovie
+				.draw(List.of(Chain.along(around, 60, around.length())), List.of(), model, 0.05, t)
+				.frame(0);
+			two.add(new Sighting(frame, around, List.of(ring(0.5 * t, 2 * Math.PI - 0.1, 1))));
+			if (t == 0)
+				one.add(two.get(0));
+		}
+		assertTrue(guessed(one));
+		assertTrue(!guessed(two));
+		assertFalse(guessed(List.of(new Sighting(one.get(0).frame(), one.get(0).contour()))));
+	}
+
+	private static boolean guessed(final List<Sighting> sightings) {
+		return FilamentEstimator.estimate(sightings, EnumSet.of(LineModel.Kind.ADDITIVE),
+			FitSettings.ENDS_FREE, Workers.HERE, Progress.NONE).orElseThrow().guessed();
 	}
 
 	private static FadedEnds faded(final double[] brightness, final double length) {

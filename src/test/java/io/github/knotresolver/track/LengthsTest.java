@@ -40,6 +40,16 @@ class LengthsTest {
 	}
 
 	@Test
+	void aGuessRemainsOneUntilTheUserSaysMore() {
+		final FilamentEstimate guess = ESTIMATE.orGuessed(true);
+		assertTrue(
+			new Lengths(new double[]{200}, 210, 1, Optional.empty()).settle(guess).guessed());
+		assertTrue(new Lengths(new double[0], 0, 0, Optional.of(LengthCourse.constant(180, 3)))
+			.settle(guess).guessed());
+		assertFalse(guess.withLength(160).guessed());
+	}
+
+	@Test
 	void aLengthIsAnotherIfItIsSurelyAndNoticeablyOff() {
 		assertFalse(new Lengths.Common(152, 1).isOtherThan(150));
 		assertFalse(new Lengths.Common(150.4, 0.1).isOtherThan(150));

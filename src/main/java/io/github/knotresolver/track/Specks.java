@@ -1,0 +1,76 @@
+
+package io.github.knotresolver.track;
+
+import java.util.ArrayList;
+import java.util.List;
+
+import io.github.knotresolver.fit.Chain;
+import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.image.LineAppearance;
+import io.github.knotresolver.model.Observation;
+
+/**
+ * Objects that are too short to be filaments. Those that are longer than a spot is may be a part of
+ * a filament that they stay beside.
+ *
+ * @param chains each of them in all frames, in pixels
+ * @param sigma standard deviation of the line in pixels
+ */
+record Specks(List<List<Chain>> chains, double sigma) {
+
+	private static final String WHY = "Doubtful: a short piece of line that is not counted as a filament stays beside this one and may be a part of it.";
+
+	/**
+	 * @param objects in all frames
+	 * @param sigma standard deviation of the line in pixels
+	 */
+	static Specks of(final List<List<Chain>> objects, final double sigma) {
+		return new Specks(objects.stream()
+			.filter(c -> c.get(0).length() < SceneTuning.SCENE_SPECK * sigma).toList(), sigma);
+	}
+
+	/** Whether an object is one of them. */
+	boolean has(final List<Chain> object) {
+		return chains.contains(object);
+	}
+
+	/**
+	 * A filament that a piece of line stays beside is not believed in any frame: without it, it is
+	 * not the filament. O(frames * length * length of the pieces).
+	 *
+	 * @param filament in all frames
+	 * @param observed what was said of it
+	 */
+	List<Observation> doubted(final List<Chain> filament, final List<Observation> observed) {
+		final double width = LineAppearance.FULL_WIDTH * sigma;
+		return chains.stream()
+			.noneMatch(c -> c.get(0).length() > SceneTuning.SPECK_LINE * sigma
+				&& staysBeside(c, filament, width))
+					? observed
+					: observed.stream().map(o -> o.atMost(TrackTuning.GUESSED, WHY)).toList();
+	}
+
+	private static boolean staysBeside(final List<Chain> piece, final List<Chain> filament,
+		final double width) {
+		int beside = 0;
+		for (int t = 0; t < piece.size(); t++) {
+			final Polyline contour = filament.get(t).contour();
+			final Polyline nodes = piece.get(t).polyline();
+			boolean touches = false;
+			for (int i = 0; i < nodes.size() && !touches; i++)
+				touches = contour.distanceTo(nodes.point(i)) < width;
+			beside += touches ? 1 : 0;
+		}
+		return beside > SceneTuning.STAYS_BESIDE * piece.size();
+	}
+
+	/** What a user should know of them. */
+	List<String> notes() {
+		final List<String> notes = new ArrayList<>();
+		if (!chains.isEmpty())
+			notes.add(chains.size() + (chains.size() == 1 ? " object was" : " objects were")
+				+ " modelled but not counted as filaments: they are shorter than "
+				+ Math.round(SceneTuning.SCENE_SPECK) + " times the line's sigma.");
+		return notes;
+	}
+}
