@@ -56,7 +56,7 @@ record FilamentLearner(Set<LineModel.Kind> kinds, LengthModel lengths, Workers w
 	/**
 	 * What the frames tell of the filament.
 	 *
-	 * @param endIsDoubtful whether little says that its fixed end moves
+	 * @param endIsDoubtful whether little says that its fixed end moves, or stays
 	 */
 	record Seen(Look look, FilamentCourse course, boolean endIsDoubtful) {
 
@@ -135,10 +135,9 @@ record FilamentLearner(Set<LineModel.Kind> kinds, LengthModel lengths, Workers w
 		final Lengths length = Lengths.of(open, frames,
 			look.told.isEmpty() && lengths == LengthModel.AUTO);
 		final FilamentEstimate settled = look.told.isPresent() ? estimate : length.settle(estimate);
-		return new Seen(look,
-			new FilamentCourse(settled, anchor, length.course(settled.length(), frames), 0,
-				look.endsFree.stiffness()),
-			anchor.isDoubtful(open) || look.isNoisy() && anchor.range() > 0);
+		return new Seen(look, new FilamentCourse(settled, anchor,
+			length.course(settled.length(), frames), 0, look.endsFree.stiffness()),
+			anchor.isDoubtful(open) || look.isNoisy());
 	}
 
 	/** The frames' pixels, a strand's brightness 1. */
