@@ -87,7 +87,8 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 	 *
 	 * @param chosen the contours that were chosen, by index of the frame
 	 * @param workers threads
-	 * @return the course with that length; empty if that is not surely another, or the length changes
+	 * @return the course with that length, and with the clamp where light begins if that is usually
+	 *         before one that stays; empty if it is not surely another length, or one that changes
 	 */
 	Optional<FilamentCourse> lengthOfAll(final List<Observation> chosen, final Workers workers) {
 		if (course.length().kind() != LengthCourse.Kind.CONSTANT)
@@ -98,29 +99,36 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 				? Optional.of(light(t, chosen.get(t).contour().orElseThrow()))
 				: Optional.<Light>empty())
 			.stream().flatMap(Optional::stream).toList();
-		return Lengths.common(seen.stream().mapToDouble(Light::length).toArray())
-			.map(c -> c.longer(dark(seen)))
+		final double late = RobustStatistics
+			.median(seen.stream().mapToDouble(Light::late).toArray(), 0);
+		// What is dark next to the clamp is filament, and so is what is seen before it.
+		return Lengths.common(seen.stream().mapToDouble(l -> l.chain.length()).toArray())
+			.map(c -> c.longer(Math.max(0, late)))
 			.filter(c -> c.isOtherThan(known.length(), known.lengthError()))
-			.map(c -> course.withEstimate(known.withLength(c.length(), c.error()))
+			.map(c -> (late < 0 ? course.withAnchor(beginning(seen)) : course)
+				.withEstimate(known.withLength(c.length(), c.error()))
 				.withLength(LengthCourse.constant(c.length(), chosen.size())));
 	}
 
-	/** How much of a filament is seen, and how far from its clamp that begins, in pixels. */
-	private record Light(double length, double late) {
-	}
-
-	/** How much is dark next to the clamp: the filament is there. What is before it is seen. */
-	private static double dark(final List<Light> seen) {
-		return Math.max(0,
-			RobustStatistics.median(seen.stream().mapToDouble(Light::late).toArray()));
+	/** A contour that begins and ends with its light, and how far from the clamp that begins. */
+	private record Light(Chain chain, double late) {
 	}
 
 	private Light light(final int t, final Polyline contour) {
 		final Chain free = fitter(t, Optional.empty(), settings.withFreeLength(true), links())
 			.fit(Chain.along(contour, links(), contour.length()), Optional.empty()).chain();
 		final Point clamp = course.anchor().at(t), start = free.start();
-		return new Light(free.length(), (start.x() - clamp.x()) * Math.cos(free.angle(0))
+		return new Light(free, (start.x() - clamp.x()) * Math.cos(free.angle(0))
 			+ (start.y() - clamp.y()) * Math.sin(free.angle(0)));
+	}
+
+	/** The clamp, if it stays, where light usually begins: held elsewhere, all tips would be off. */
+	private AnchorPath beginning(final List<Light> seen) {
+		return course.anchor().range() > 0
+			? course.anchor()
+			: AnchorPath.still(
+				RobustStatistics.upperMedian(seen.stream().map(l -> l.chain.start()).toList()),
+				fits.size());
 	}
 
 	/**

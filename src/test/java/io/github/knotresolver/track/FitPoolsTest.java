@@ -162,6 +162,21 @@ class FitPoolsTest {
 		assertEquals(Optional.empty(), ofAllIfClampedAt(1));
 	}
 
+	/** A clamp that stays is where the light begins if that is before it: no tip is pushed out. */
+	@Test
+	void theClampIsFoundTogetherWithTheLength() {
+		final Chain first = TRUTH.get(0);
+		final Point late = new Point(first.start().x() + 3 * Math.cos(first.angle(0)),
+			first.start().y() + 3 * Math.sin(first.angle(0)));
+		final double times = 1 - 3 / LENGTH;
+		final FilamentCourse thought = course(times)
+			.withAnchor(AnchorPath.still(late, TRUTH.size()));
+		final FilamentCourse course = ofAll(found(times, thought), times).orElseThrow();
+		assertEquals(LENGTH, course.estimate().length(), 0.004 * LENGTH);
+		assertEquals(0, course.anchor().at(3).distanceTo(first.start()), 0.3);
+		assertEquals(0, course.anchor().range());
+	}
+
 	/** Something hides it there. */
 	@Test
 	void theFilamentBeginsAtItsClampEvenIfItsLightDoesNot() {
