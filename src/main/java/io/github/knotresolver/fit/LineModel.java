@@ -83,6 +83,11 @@ public record LineModel(Kind kind, double sigma, double power, double[] brightne
 		return new LineModel(kind, sigma, power, values);
 	}
 
+	/** @return whether it is as bright everywhere */
+	public boolean isEven() {
+		return brightness.length == 1;
+	}
+
 	/** @return the same line in a frame in which it is so many times as wide */
 	LineModel in(final NormalizedFrame frame) {
 		return frame.widening() == 1

@@ -68,6 +68,12 @@ record FilamentLearner(Set<LineModel.Kind> kinds, LengthModel lengths, Workers w
 			return new Seen(look, course.withNoise(noise), endIsDoubtful);
 		}
 
+		/** The same filament with another line, as long in all frames. */
+		Seen withEstimate(final FilamentEstimate other) {
+			return withCourse(course.withEstimate(other)
+				.withLength(LengthCourse.constant(other.length(), look.frames.size())));
+		}
+
 		Seen withCourse(final FilamentCourse other) {
 			return new Seen(look, other, endIsDoubtful);
 		}
@@ -167,25 +173,37 @@ record FilamentLearner(Set<LineModel.Kind> kinds, LengthModel lengths, Workers w
 
 	/**
 	 * In noise skeletons end anywhere, so that what was learned from them of the line and its ends
-	 * may be wrong; the movie's contours know it better.
+	 * may be wrong; and where the filament is not evenly bright, how bright an end is and where it is
+	 * are learned together, which takes more frames than are clearest. The movie's contours know it
+	 * better.
 	 *
 	 * @param seen what was learned from skeletons
 	 * @param first who answers with that
 	 * @return what the contours say; empty if that is no other length or fixed end
 	 */
 	Optional<Seen> again(final Seen seen, final FitSolver first) {
-		if (!seen.look.isNoisy())
-			return Optional.empty();
 		final FilamentEstimate known = seen.course.estimate();
+		final boolean noisy = seen.look.isNoisy();
+		if (!noisy && (known.model().isEven()
+			|| seen.course.length().kind() != LengthCourse.Kind.CONSTANT))
+			return Optional.empty();
 		final List<Sighting> sightings = Sightings.solved(seen.frames(), first.solved(progress),
-			known.model());
+			known.model(), noisy ? TrackTuning.SIGHTINGS : TrackTuning.UNEVEN_SIGHTINGS);
 		if (sightings.isEmpty())
 			return Optional.empty();
 		// A length that was a guess remains one.
 		return FilamentEstimator
 			.estimate(sightings, EnumSet.of(known.model().kind()), seen.look.endsFree, workers,
 				progress)
-			.map(e -> e.orGuessed(known.guessed())).filter(first::isOtherThan)
-			.map(e -> seen(seen.look, e).withNoise(seen.course.noiseOf(e)));
+			.map(e -> !noisy && isSame(e, known)
+				? e.withGuessed(known.guessed())
+				: e.orGuessed(known.guessed()))
+			.filter(first::isOtherThan).map(e -> (noisy ? seen(seen.look, e) : seen.withEstimate(e))
+				.withNoise(seen.course.noiseOf(e)));
+	}
+
+	/** Whether more frames show the same ends, which need not settle once more then. */
+	private static boolean isSame(final FilamentEstimate other, final FilamentEstimate known) {
+		return Math.abs(other.length() / known.length() - 1) < TrackTuning.SAME_ENDS;
 	}
 }

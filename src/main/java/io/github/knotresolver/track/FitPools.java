@@ -82,7 +82,8 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 	 * What all frames say together of the length, each by where its light begins and ends: where few
 	 * show the filament open, or noise or something bright beside it hides an end in these, all know it
 	 * better than the clearest. Contours that are held would all be too short or too long by as much as
-	 * the clamp is off. A frame in which the tip lies on the filament, or is outside, says nothing.
+	 * the clamp is off. A frame in which the tip lies on the filament, or is outside, says nothing; nor
+	 * does any if the line is not even, as where an end of it is depends on how bright it is.
 	 * O(frames * length).
 	 *
 	 * @param chosen the contours that were chosen, by index of the frame
@@ -91,9 +92,9 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 	 *         before one that stays; empty if it is not surely another length, or one that changes
 	 */
 	Optional<FilamentCourse> lengthOfAll(final List<Observation> chosen, final Workers workers) {
-		if (course.length().kind() != LengthCourse.Kind.CONSTANT)
-			return Optional.empty();
 		final FilamentEstimate known = course.estimate();
+		if (course.length().kind() != LengthCourse.Kind.CONSTANT || !known.model().isEven())
+			return Optional.empty();
 		final List<Light> seen = workers.map(chosen.size(),
 			t -> GuessedLength.isTipFree(chosen.get(t), known.model())
 				? Optional.of(light(t, chosen.get(t).contour().orElseThrow()))

@@ -413,6 +413,18 @@ final class TrackTuning {
 	static final int SIGHTINGS = 14;
 
 	/**
+	 * [frames] ... and so many of the solved movie where the filament is not evenly bright. Why: a tip
+	 * of a fifth of the brightness is seen to half a pixel in a frame, and its brightness with it.
+	 */
+	static final int UNEVEN_SIGHTINGS = 28;
+
+	/**
+	 * [share] These are the same ends if the length is another by less. Why: a dim tip is missed by a
+	 * pixel or two, something else beside it is farther away.
+	 */
+	static final double SAME_ENDS = 0.01;
+
+	/**
 	 * [frames] Fewer unbranched skeletons are not relied on alone. Why: two may be cut at the same
 	 * place.
 	 */

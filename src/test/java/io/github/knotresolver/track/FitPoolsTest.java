@@ -162,6 +162,17 @@ class FitPoolsTest {
 		assertEquals(Optional.empty(), ofAllIfClampedAt(1));
 	}
 
+	/** Where it ends depends on how bright it is there, which was learned with the length. */
+	@Test
+	void ofALineThatIsNotEvenTheLengthAloneIsNotChanged() {
+		final FilamentCourse even = course(0.96);
+		final FilamentCourse dim = even
+			.withEstimate(new FilamentEstimate(LINE.withBrightness(new double[]{1.2, 0.8}), 1,
+				0.96 * LENGTH, Double.NaN, even.estimate().fixedEnd(), false));
+		assertTrue(ofAll(found(0.96, even), 0.96).isPresent());
+		assertEquals(Optional.empty(), ofAll(found(0.96, dim), 0.96));
+	}
+
 	/** A clamp that stays is where the light begins if that is before it: no tip is pushed out. */
 	@Test
 	void theClampIsFoundTogetherWithTheLength() {
