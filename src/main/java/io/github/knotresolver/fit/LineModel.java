@@ -88,6 +88,11 @@ public record LineModel(Kind kind, double sigma, double power, double[] brightne
 		return brightness.length == 1;
 	}
 
+	/** @return whether an end of it is so dim that where it ends is hardly seen */
+	public boolean hasDimEnd() {
+		return Math.min(brightness[0], brightness[brightness.length - 1]) < FitTuning.DIM_END;
+	}
+
 	/** @return the same line in a frame in which it is so many times as wide */
 	LineModel in(final NormalizedFrame frame) {
 		return frame.widening() == 1

@@ -173,7 +173,7 @@ record FilamentLearner(Set<LineModel.Kind> kinds, LengthModel lengths, Workers w
 
 	/**
 	 * In noise skeletons end anywhere, so that what was learned from them of the line and its ends
-	 * may be wrong; and where the filament is not evenly bright, how bright an end is and where it is
+	 * may be wrong; and where the filament has a dim end, how bright that is and where it is
 	 * are learned together, which takes more frames than are clearest. The movie's contours know it
 	 * better.
 	 *
@@ -184,7 +184,7 @@ record FilamentLearner(Set<LineModel.Kind> kinds, LengthModel lengths, Workers w
 	Optional<Seen> again(final Seen seen, final FitSolver first) {
 		final FilamentEstimate known = seen.course.estimate();
 		final boolean noisy = seen.look.isNoisy();
-		if (!noisy && (known.model().isEven()
+		if (!noisy && (!known.model().hasDimEnd()
 			|| seen.course.length().kind() != LengthCourse.Kind.CONSTANT))
 			return Optional.empty();
 		final List<Sighting> sightings = Sightings.solved(seen.frames(), first.solved(progress),

@@ -15,6 +15,7 @@ import io.github.knotresolver.fit.FilamentEstimator;
 import io.github.knotresolver.fit.FilamentFitter;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitSettings;
+import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
@@ -102,9 +103,11 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 			.stream().flatMap(Optional::stream).toList();
 		final double late = RobustStatistics
 			.median(seen.stream().mapToDouble(Light::late).toArray(), 0);
-		// What is dark next to the clamp is filament, and so is what is seen before it.
+		// What is dark next to the clamp is filament, and so is what is seen before it; but how blunt the
+		// end of a line is whose light does not add up is not known.
+		final boolean additive = known.model().kind() == LineModel.Kind.ADDITIVE;
 		return Lengths.common(seen.stream().mapToDouble(l -> l.chain.length()).toArray())
-			.map(c -> c.longer(Math.max(0, late)))
+			.map(c -> c.longer(additive ? Math.max(0, late) : 0))
 			.filter(c -> c.isOtherThan(known.length(), known.lengthError()))
 			.map(c -> (late < 0 ? course.withAnchor(beginning(seen)) : course)
 				.withEstimate(known.withLength(c.length(), c.error()))
