@@ -15,7 +15,6 @@ import io.github.knotresolver.fit.FilamentEstimator;
 import io.github.knotresolver.fit.FilamentFitter;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitSettings;
-import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
@@ -84,7 +83,7 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 	 * show the filament open, or noise or something bright beside it hides an end in these, all know it
 	 * better than the clearest. Contours that are held would all be too short or too long by as much as
 	 * the clamp is off. A frame in which the tip lies on the filament, or is outside, says nothing; nor
-	 * does any if the line is not even, as where an end of it is depends on how bright it is.
+	 * does any if an end is dim, as where it is depends on how bright it is.
 	 * O(frames * length).
 	 *
 	 * @param chosen the contours that were chosen, by index of the frame
@@ -94,7 +93,7 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 	 */
 	Optional<FilamentCourse> lengthOfAll(final List<Observation> chosen, final Workers workers) {
 		final FilamentEstimate known = course.estimate();
-		if (course.length().kind() != LengthCourse.Kind.CONSTANT || !known.model().isEven())
+		if (course.length().kind() != LengthCourse.Kind.CONSTANT || known.model().hasDimEnd())
 			return Optional.empty();
 		final List<Light> seen = workers.map(chosen.size(),
 			t -> GuessedLength.isTipFree(chosen.get(t), known.model())
@@ -103,11 +102,9 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 			.stream().flatMap(Optional::stream).toList();
 		final double late = RobustStatistics
 			.median(seen.stream().mapToDouble(Light::late).toArray(), 0);
-		// What is dark next to the clamp is filament, and so is what is seen before it; but how blunt the
-		// end of a line is whose light does not add up is not known.
-		final boolean additive = known.model().kind() == LineModel.Kind.ADDITIVE;
+		// What is dark next to the clamp is filament, and so is what is seen before it.
 		return Lengths.common(seen.stream().mapToDouble(l -> l.chain.length()).toArray())
-			.map(c -> c.longer(additive ? Math.max(0, late) : 0))
+			.map(c -> c.longer(Math.max(0, late)))
 			.filter(c -> c.isOtherThan(known.length(), known.lengthError()))
 			.map(c -> (late < 0 ? course.withAnchor(beginning(seen)) : course)
 				.withEstimate(known.withLength(c.length(), c.error()))

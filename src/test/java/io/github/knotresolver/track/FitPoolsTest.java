@@ -164,10 +164,10 @@ class FitPoolsTest {
 
 	/** Where it ends depends on how bright it is there, which was learned with the length. */
 	@Test
-	void ofALineThatIsNotEvenTheLengthAloneIsNotChanged() {
+	void ofALineWithADimEndTheLengthAloneIsNotChanged() {
 		final FilamentCourse even = course(0.96);
 		final FilamentCourse dim = even
-			.withEstimate(new FilamentEstimate(LINE.withBrightness(new double[]{1.2, 0.8}), 1,
+			.withEstimate(new FilamentEstimate(LINE.withBrightness(new double[]{1.4, 0.6}), 1,
 				0.96 * LENGTH, Double.NaN, even.estimate().fixedEnd(), false));
 		assertTrue(ofAll(found(0.96, even), 0.96).isPresent());
 		assertEquals(Optional.empty(), ofAll(found(0.96, dim), 0.96));
