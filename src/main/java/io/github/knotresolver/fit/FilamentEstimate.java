@@ -43,11 +43,18 @@ public record FilamentEstimate(LineModel model, double amplitude, double length,
 	}
 
 	/**
+	 * @param isGuessed whether its length is a guess
+	 * @return the same
+	 */
+	public FilamentEstimate withGuessed(final boolean isGuessed) {
+		return new FilamentEstimate(model, amplitude, length, lengthError, fixedEnd, isGuessed);
+	}
+
+	/**
 	 * @param wasGuessed whether its length is a guess for another reason
 	 * @return the same, whose length may be a guess
 	 */
 	public FilamentEstimate orGuessed(final boolean wasGuessed) {
-		return new FilamentEstimate(model, amplitude, length, lengthError, fixedEnd,
-			guessed || wasGuessed);
+		return withGuessed(guessed || wasGuessed);
 	}
 }

@@ -83,6 +83,16 @@ public record LineModel(Kind kind, double sigma, double power, double[] brightne
 		return new LineModel(kind, sigma, power, values);
 	}
 
+	/** @return whether it is as bright everywhere */
+	public boolean isEven() {
+		return brightness.length == 1;
+	}
+
+	/** @return whether an end of it is so dim that where it ends is hardly seen */
+	public boolean hasDimEnd() {
+		return Math.min(brightness[0], brightness[brightness.length - 1]) < FitTuning.DIM_END;
+	}
+
 	/** @return the same line in a frame in which it is so many times as wide */
 	LineModel in(final NormalizedFrame frame) {
 		return frame.widening() == 1

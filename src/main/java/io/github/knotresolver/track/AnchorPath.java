@@ -105,17 +105,17 @@ record AnchorPath(List<Point> places, double[] weights) {
 	}
 
 	/**
-	 * Whether little says that the end moves: skeletons alone, which in noise, or where it lies on
-	 * the filament, end anywhere; or open frames of a small part of the movie, in which a filament
-	 * that is not evenly bright may seem to begin somewhere else from frame to frame.
+	 * Whether little says that the end moves, or stays: skeletons alone, which in noise, or where it
+	 * lies on the filament, end anywhere; or open frames of a small part of the movie, in which a
+	 * filament that is not evenly bright may seem to begin somewhere else from frame to frame.
 	 *
 	 * @param open fits of open frames
 	 */
 	boolean isDoubtful(final OpenFrames open) {
 		final int[] seen = open.withFixedEnd().stream().mapToInt(Seen::index).toArray();
 		final int n = seen.length;
-		return range() > 0 && (n < TrackTuning.SETTLING
-			|| seen[3 * n / 4] - seen[n / 4] < TrackTuning.SETTLING_SPAN * places.size());
+		return n < TrackTuning.SETTLING
+			|| seen[3 * n / 4] - seen[n / 4] < TrackTuning.SETTLING_SPAN * places.size();
 	}
 
 	private boolean moves(final List<Seen> seen) {
@@ -141,7 +141,7 @@ record AnchorPath(List<Point> places, double[] weights) {
 	}
 
 	/** Whether places, in order of time, are more than a few wrong ones around one place. */
-	private static boolean moves(final List<Point> all, final double spread) {
+	static boolean moves(final List<Point> all, final double spread) {
 		final Point middle = RobustStatistics.upperMedian(all);
 		final double[] off = all.stream().mapToDouble(p -> p.distanceTo(middle)).sorted().toArray();
 		return off[off.length / 2] > spread
@@ -197,18 +197,20 @@ record AnchorPath(List<Point> places, double[] weights) {
 	}
 
 	/**
-	 * The same, settled once more by contours that were not held. An anchor that stays is what it
-	 * is.
+	 * The same, settled once more by contours that were not held: a random walk through where they
+	 * begin, or a place that they all turn around and begin after.
 	 *
-	 * @param begin where they begin, in every frame
+	 * @param begin the contours, in every frame
 	 */
-	AnchorPath refined(final List<Optional<Point>> begin) {
-		if (range() == 0)
-			return this;
+	AnchorPath refined(final List<Optional<Chain>> begin) {
+		final Optional<Point> pivot = StillPivot
+			.of(begin.stream().flatMap(Optional::stream).toList());
+		if (pivot.isPresent())
+			return still(pivot.get(), places.size());
 		final int n = places.size();
 		final double[] x = new double[n], y = new double[n], noise = new double[n];
 		for (int t = 0; t < n; t++) {
-			final Point seen = begin.get(t).orElse(at(t));
+			final Point seen = begin.get(t).map(Chain::start).orElse(at(t));
 			x[t] = seen.x();
 			y[t] = seen.y();
 			noise[t] = begin.get(t).isPresent() ? TrackTuning.FIT_NOISE : TrackTuning.END_NOISE;

@@ -56,7 +56,7 @@ record FilamentLearner(Set<LineModel.Kind> kinds, LengthModel lengths, Workers w
 	/**
 	 * What the frames tell of the filament.
 	 *
-	 * @param endIsDoubtful whether little says that its fixed end moves
+	 * @param endIsDoubtful whether little says that its fixed end moves, or stays
 	 */
 	record Seen(Look look, FilamentCourse course, boolean endIsDoubtful) {
 
@@ -66,6 +66,12 @@ record FilamentLearner(Set<LineModel.Kind> kinds, LengthModel lengths, Workers w
 
 		Seen withNoise(final double noise) {
 			return new Seen(look, course.withNoise(noise), endIsDoubtful);
+		}
+
+		/** The same filament with another line, as long in all frames. */
+		Seen withEstimate(final FilamentEstimate other) {
+			return withCourse(course.withEstimate(other)
+				.withLength(LengthCourse.constant(other.length(), look.frames.size())));
 		}
 
 		Seen withCourse(final FilamentCourse other) {
@@ -135,10 +141,9 @@ record FilamentLearner(Set<LineModel.Kind> kinds, LengthModel lengths, Workers w
 		final Lengths length = Lengths.of(open, frames,
 			look.told.isEmpty() && lengths == LengthModel.AUTO && !estimate.guessed());
 		final FilamentEstimate settled = look.told.isPresent() ? estimate : length.settle(estimate);
-		return new Seen(look,
-			new FilamentCourse(settled, anchor, length.course(settled.length(), frames), 0,
-				look.endsFree.stiffness()),
-			anchor.isDoubtful(open) || look.isNoisy() && anchor.range() > 0);
+		return new Seen(look, new FilamentCourse(settled, anchor,
+			length.course(settled.length(), frames), 0, look.endsFree.stiffness()),
+			anchor.isDoubtful(open) || look.isNoisy());
 	}
 
 	/** The frames' pixels, a strand's brightness 1. */
@@ -168,25 +173,37 @@ record FilamentLearner(Set<LineModel.Kind> kinds, LengthModel lengths, Workers w
 
 	/**
 	 * In noise skeletons end anywhere, so that what was learned from them of the line and its ends
-	 * may be wrong; the movie's contours know it better.
+	 * may be wrong; and where the filament has a dim end, how bright that is and where it is
+	 * are learned together, which takes more frames than are clearest. The movie's contours know it
+	 * better.
 	 *
 	 * @param seen what was learned from skeletons
 	 * @param first who answers with that
 	 * @return what the contours say; empty if that is no other length or fixed end
 	 */
 	Optional<Seen> again(final Seen seen, final FitSolver first) {
-		if (!seen.look.isNoisy())
-			return Optional.empty();
 		final FilamentEstimate known = seen.course.estimate();
+		final boolean noisy = seen.look.isNoisy();
+		if (!noisy && (!known.model().hasDimEnd()
+			|| seen.course.length().kind() != LengthCourse.Kind.CONSTANT))
+			return Optional.empty();
 		final List<Sighting> sightings = Sightings.solved(seen.frames(), first.solved(progress),
-			known.model());
+			known.model(), noisy ? TrackTuning.SIGHTINGS : TrackTuning.UNEVEN_SIGHTINGS);
 		if (sightings.isEmpty())
 			return Optional.empty();
 		// A length that was a guess remains one.
 		return FilamentEstimator
 			.estimate(sightings, EnumSet.of(known.model().kind()), seen.look.endsFree, workers,
 				progress)
-			.map(e -> e.orGuessed(known.guessed())).filter(first::isOtherThan)
-			.map(e -> seen(seen.look, e).withNoise(seen.course.noiseOf(e)));
+			.map(e -> !noisy && isSame(e, known)
+				? e.withGuessed(known.guessed())
+				: e.orGuessed(known.guessed()))
+			.filter(first::isOtherThan).map(e -> (noisy ? seen(seen.look, e) : seen.withEstimate(e))
+				.withNoise(seen.course.noiseOf(e)));
+	}
+
+	/** Whether more frames show the same ends, which need not settle once more then. */
+	private static boolean isSame(final FilamentEstimate other, final FilamentEstimate known) {
+		return Math.abs(other.length() / known.length() - 1) < TrackTuning.SAME_ENDS;
 	}
 }

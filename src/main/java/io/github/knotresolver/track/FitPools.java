@@ -79,27 +79,57 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 	}
 
 	/**
-	 * What all frames say together of the length, each by where its light ends: where few show the
-	 * filament open, or noise or something bright beside it hides an end in these, all know it better
-	 * than the clearest. A frame in which the tip lies on the filament, or is outside, says nothing.
+	 * What all frames say together of the length, each by where its light begins and ends: where few
+	 * show the filament open, or noise or something bright beside it hides an end in these, all know it
+	 * better than the clearest. Contours that are held would all be too short or too long by as much as
+	 * the clamp is off. A frame in which the tip lies on the filament, or is outside, says nothing; nor
+	 * does any if an end is dim, as where it is depends on how bright it is.
 	 * O(frames * length).
 	 *
 	 * @param chosen the contours that were chosen, by index of the frame
 	 * @param workers threads
-	 * @return the course with that length; empty if that is not surely another, or the length changes
+	 * @return the course with that length, and with the clamp where light begins if that is usually
+	 *         before one that stays; empty if it is not surely another length, or one that changes
 	 */
 	Optional<FilamentCourse> lengthOfAll(final List<Observation> chosen, final Workers workers) {
-		if (course.length().kind() != LengthCourse.Kind.CONSTANT)
-			return Optional.empty();
 		final FilamentEstimate known = course.estimate();
-		final double[] seen = workers.map(chosen.size(),
+		if (course.length().kind() != LengthCourse.Kind.CONSTANT || known.model().hasDimEnd())
+			return Optional.empty();
+		final List<Light> seen = workers.map(chosen.size(),
 			t -> GuessedLength.isTipFree(chosen.get(t), known.model())
-				? freeLength(t, chosen.get(t).contour().orElseThrow())
-				: Double.NaN)
-			.stream().mapToDouble(l -> l).filter(Double::isFinite).toArray();
-		return Lengths.common(seen).filter(c -> c.isOtherThan(known.length()))
-			.map(c -> course.withEstimate(known.withLength(c.length(), c.error()))
+				? Optional.of(light(t, chosen.get(t).contour().orElseThrow()))
+				: Optional.<Light>empty())
+			.stream().flatMap(Optional::stream).toList();
+		final double late = RobustStatistics
+			.median(seen.stream().mapToDouble(Light::late).toArray(), 0);
+		// What is dark next to the clamp is filament, and so is what is seen before it.
+		return Lengths.common(seen.stream().mapToDouble(l -> l.chain.length()).toArray())
+			.map(c -> c.longer(Math.max(0, late)))
+			.filter(c -> c.isOtherThan(known.length(), known.lengthError()))
+			.map(c -> (late < 0 ? course.withAnchor(beginning(seen)) : course)
+				.withEstimate(known.withLength(c.length(), c.error()))
 				.withLength(LengthCourse.constant(c.length(), chosen.size())));
+	}
+
+	/** A contour that begins and ends with its light, and how far from the clamp that begins. */
+	private record Light(Chain chain, double late) {
+	}
+
+	private Light light(final int t, final Polyline contour) {
+		final Chain free = fitter(t, Optional.empty(), settings.withFreeLength(true), links())
+			.fit(Chain.along(contour, links(), contour.length()), Optional.empty()).chain();
+		final Point clamp = course.anchor().at(t), start = free.start();
+		return new Light(free, (start.x() - clamp.x()) * Math.cos(free.angle(0))
+			+ (start.y() - clamp.y()) * Math.sin(free.angle(0)));
+	}
+
+	/** The clamp, if it stays, where light usually begins: held elsewhere, all tips would be off. */
+	private AnchorPath beginning(final List<Light> seen) {
+		return course.anchor().range() > 0
+			? course.anchor()
+			: AnchorPath.still(
+				RobustStatistics.upperMedian(seen.stream().map(l -> l.chain.start()).toList()),
+				fits.size());
 	}
 
 	/**
@@ -133,12 +163,6 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 				: fitter.price(resized));
 		}
 		return pool.fits();
-	}
-
-	private double freeLength(final int t, final Polyline contour) {
-		return fitter(t, settings.withFreeLength(true), links())
-			.fit(Chain.along(contour, links(), contour.length()), Optional.empty()).chain()
-			.length();
 	}
 
 	/** A contour whose fixed end was set free, and how much cheaper that made it. */
@@ -185,16 +209,34 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 	/**
 	 * A fixed end that moves is once more followed through where contours begin that are not held:
 	 * those that are held begin where it was thought to be. They may have any length, too: one that is
-	 * not quite right moves no end then.
+	 * not quite right moves no end then. One that was thought to stay is followed if the contours of
+	 * most frames begin elsewhere, and are better so than by chance.
 	 *
+	 * @param doubtful whether little says that it moves, or stays
 	 * @param workers threads
 	 * @param progress asked whether to stop
 	 */
-	FilamentCourse withAnchorOfAll(final Workers workers, final Progress progress) {
-		return course.anchor().range() == 0
+	FilamentCourse withAnchorOfAll(final boolean doubtful, final Workers workers,
+		final Progress progress) {
+		final boolean still = course.anchor().range() == 0;
+		if (still && (!doubtful || settings.freeLength()))
+			return course;
+		final List<Optional<Freed>> freed = workers.map("Setting the fixed end free", progress,
+			fits.size(), t -> freed(t, !still));
+		return still && !isElsewhere(freed)
 			? course
-			: course.withAnchor(course.anchor().refined(workers.map("Setting the fixed end free",
-				progress, fits.size(), t -> freed(t, true).map(f -> f.chain.start()))));
+			: course.withAnchor(
+				course.anchor().refined(freed.stream().map(f -> f.map(Freed::chain)).toList()));
+	}
+
+	private boolean isElsewhere(final List<Optional<Freed>> freed) {
+		final List<Freed> all = freed.stream().flatMap(Optional::stream).toList();
+		final double noise = course.noise();
+		return !all.isEmpty()
+			&& RobustStatistics.median(all.stream().mapToDouble(Freed::gain)
+				.toArray()) > TrackTuning.SURELY_ELSEWHERE * FREEDOM * noise * noise
+			&& AnchorPath.moves(all.stream().map(f -> f.chain.start()).toList(),
+				TrackTuning.STILL_END);
 	}
 
 	/** The cheapest contour of a frame, or the graph's best, if it begins where it likes. */

@@ -176,12 +176,14 @@ public final class FitResolver {
 
 	private FitPools pools(final Seen seen) {
 		final FitPools first = proposed(seen.frames(), seen.course());
-		final FitPools best = seen.endIsDoubtful()
+		final FitPools best = seen.endIsDoubtful() && seen.course().anchor().range() > 0
 			? first.orStill(proposed(seen.frames(), seen.still()))
 			: first;
-		final FilamentCourse settled = best.withAnchorOfAll(workers, progress);
-		return new FitPools(best.frames(), best.light(), settled, best.sets(),
-			pools(best.light(), settled, repriced(best.fits(), best.light(), settled)),
+		final FilamentCourse settled = best.withAnchorOfAll(seen.endIsDoubtful(), workers,
+			progress);
+		return new FitPools(best.frames(), best.light(), settled, best.sets(), pools(best.light(),
+			settled,
+			settled == best.course() ? best.fits() : repriced(best.fits(), best.light(), settled)),
 			best.settings()).withJumps(workers, progress).withExchanges(workers, progress);
 	}
 
@@ -198,8 +200,6 @@ public final class FitResolver {
 	/** The same fits, at the price of another anchor. */
 	private List<List<Fit>> repriced(final List<List<Fit>> fits, final List<NormalizedFrame> light,
 		final FilamentCourse course) {
-		if (course.anchor().range() == 0)
-			return fits;
 		return workers.map(fits.size(), t -> {
 			final FilamentFitter fitter = fitter(t, light, course, settings(course));
 			return fits.get(t).stream().map(f -> fitter.price(f.chain())).toList();

@@ -35,7 +35,7 @@ final class GuessedLength {
 		if (estimate.guessed())
 			return frames.stream().map(o -> o.atMost(TrackTuning.GUESSED, WHY_ENDS)).toList();
 		final LineModel model = estimate.model();
-		if (model.brightness().length == 1)
+		if (model.isEven())
 			return frames;
 		final List<Polyline> contours = frames.stream().flatMap(f -> f.contour().stream()).toList();
 		final long hidden = contours.stream().filter(c -> isHidden(c, model)).count();

@@ -96,10 +96,21 @@ record Lengths(double[] whole, double longestCut, double cutShare,
 	 */
 	record Common(double length, double error) {
 
-		/** Whether it is surely and noticeably not this one. */
-		boolean isOtherThan(final double known) {
-			return Math.abs(length - known) > Math.max(TrackTuning.SURELY_OTHER * error,
-				TrackTuning.NOTICEABLE_LENGTH * known);
+		Common longer(final double by) {
+			return new Common(length + by, error);
+		}
+
+		/**
+		 * Whether it is noticeably not this one, and surely, or known far better.
+		 *
+		 * @param known in pixels
+		 * @param uncertain standard error of that; NaN if it is not known
+		 */
+		boolean isOtherThan(final double known, final double uncertain) {
+			final double off = Math.abs(length - known);
+			return off > TrackTuning.NOTICEABLE_LENGTH * known
+				&& (off > TrackTuning.SURELY_OTHER * error
+					|| uncertain > TrackTuning.KNOWN_BETTER * error);
 		}
 	}
 

@@ -67,10 +67,11 @@ final class Sightings {
 	 * @param frames the movie
 	 * @param solved their contours
 	 * @param model what a line looks like
+	 * @param most no more than so many
 	 * @return those that are explained best, the best first; none if they are too few
 	 */
 	static List<Sighting> solved(final List<FrameView> frames, final FitTrellis.Solved solved,
-		final LineModel model) {
+		final LineModel model, final int most) {
 		final int[] free = IntStream.range(0, frames.size())
 			.filter(t -> GuessedLength.isTipFree(solved.frames().get(t), model)).toArray();
 		return free.length < TrackTuning.SIMPLE_FRAMES
@@ -78,7 +79,7 @@ final class Sightings {
 			: Arrays.stream(free).boxed()
 				.sorted(Comparator
 					.comparingDouble(t -> solved.looks().get(t).orElseThrow().residue().pattern()))
-				.limit(TrackTuning.SIGHTINGS).map(t -> new Sighting(frames.get(t).light(),
+				.limit(most).map(t -> new Sighting(frames.get(t).light(),
 					solved.frames().get(t).contour().orElseThrow()))
 				.toList();
 	}

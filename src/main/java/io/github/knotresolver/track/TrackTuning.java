@@ -167,6 +167,27 @@ final class TrackTuning {
 	 */
 	static final double FIT_NOISE = 0.5;
 
+	/**
+	 * [1] Two frames tell how late a filament begins if its directions at the clamp, of length 1, are so
+	 * far apart. Why: nearer ones tell more of the noise of its start.
+	 */
+	static final double PIVOT_TURNED = 0.5;
+
+	/** [frames] So many say it, of more some that are spread evenly. Why: a median needs no more. */
+	static final int PIVOT_FRAMES = 500;
+
+	/**
+	 * [ratio] It turns around a place that stays if its starts, as much earlier, are within so much of
+	 * what they were. Why: a clamp that moves by itself is as far off in any direction.
+	 */
+	static final double PIVOT_BETTER = 0.5;
+
+	/**
+	 * [noise] ... An end that was thought to stay moves if contours that are not held are usually so
+	 * many times better as noise makes them. Why: it makes one in seven so much better.
+	 */
+	static final double SURELY_ELSEWHERE = 2;
+
 	/** [px] ... as a skeleton says. Why: see {@code SKELETON_SHORT}. */
 	static final double END_NOISE = 1.5;
 
@@ -337,6 +358,12 @@ final class TrackTuning {
 	 */
 	static final double SURELY_OTHER = 3;
 
+	/**
+	 * [ratio] ... or if the other one's standard error is so many times as large. Why: it is a guess
+	 * beside this one then.
+	 */
+	static final double KNOWN_BETTER = 2;
+
 	/** [share] ... and by at least so much. Why: the line model is no better. */
 	static final double NOTICEABLE_LENGTH = 0.003;
 
@@ -384,6 +411,18 @@ final class TrackTuning {
 	 * times.
 	 */
 	static final int SIGHTINGS = 14;
+
+	/**
+	 * [frames] ... and so many of the solved movie where the filament is not evenly bright. Why: a tip
+	 * of a fifth of the brightness is seen to half a pixel in a frame, and its brightness with it.
+	 */
+	static final int UNEVEN_SIGHTINGS = 28;
+
+	/**
+	 * [share] These are the same ends if the length is another by less. Why: a dim tip is missed by a
+	 * pixel or two, something else beside it is farther away.
+	 */
+	static final double SAME_ENDS = 0.01;
 
 	/**
 	 * [frames] Fewer unbranched skeletons are not relied on alone. Why: two may be cut at the same

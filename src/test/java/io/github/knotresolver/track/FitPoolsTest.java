@@ -73,7 +73,8 @@ class FitPoolsTest {
 			IntStream.range(0, 20).mapToObj(t -> new Point(t, 0)).toList(), new double[20]);
 		assertTrue(moving.isDoubtful(open(2)));
 		assertFalse(moving.isDoubtful(open(12)));
-		assertFalse(AnchorPath.still(new Point(3, 3), 20).isDoubtful(open(2)));
+		assertTrue(AnchorPath.still(new Point(3, 3), 20).isDoubtful(open(2)));
+		assertFalse(AnchorPath.still(new Point(3, 3), 20).isDoubtful(open(12)));
 	}
 
 	private static final double LENGTH = 80;
@@ -91,17 +92,24 @@ class FitPoolsTest {
 
 	/** A movie in which the filament was found so many times as long as it is. */
 	private static FitPools found(final double times) {
+		return found(times, course(times));
+	}
+
+	private static FitPools found(final double times, final FilamentCourse known) {
 		final DrawnMovie drawn = DrawnMovie.draw(TRUTH, List.of(), LINE, 0.05, 4);
 		return new FitPools(List.of(),
-			IntStream.range(0, TRUTH.size()).mapToObj(drawn::frame).toList(), course(times),
-			List.of(),
+			IntStream.range(0, TRUTH.size()).mapToObj(drawn::frame).toList(), known, List.of(),
 			TRUTH.stream().map(c -> List.of(new Fit(c.resized(times * LENGTH), 0, 0, 1))).toList(),
 			FitSettings.DEFAULT);
 	}
 
 	/** What all frames say of it. */
 	private static Optional<FilamentCourse> ofAll(final double times) {
-		return found(times).lengthOfAll(IntStream.range(0, TRUTH.size())
+		return ofAll(found(times), times);
+	}
+
+	private static Optional<FilamentCourse> ofAll(final FitPools found, final double times) {
+		return found.lengthOfAll(IntStream.range(0, TRUTH.size())
 			.mapToObj(t -> new Observation(t + 1, FrameStatus.RESOLVED, "",
 				Optional.of(TRUTH.get(t).resized(times * LENGTH).contour()), 0, 1, 0, 1))
 			.toList(), Workers.HERE);
@@ -136,6 +144,57 @@ class FitPoolsTest {
 		assertEquals(Optional.empty(), ofAll(1));
 	}
 
+	/** A movie whose fixed end is taken for so many pixels farther on along the filament. */
+	private static Optional<FilamentCourse> ofAllIfClampedAt(final double along) {
+		final FilamentCourse right = course(1);
+		final List<Point> places = TRUTH.stream()
+			.map(c -> new Point(c.start().x() + along * Math.cos(c.angle(0)),
+				c.start().y() + along * Math.sin(c.angle(0))))
+			.toList();
+		final double[] weights = new double[TRUTH.size()];
+		Arrays.fill(weights, FitSettings.DEFAULT.clampWeight());
+		return ofAll(found(1, right.withAnchor(new AnchorPath(places, weights))), 1);
+	}
+
+	/** Held there, all contours would be too short. */
+	@Test
+	void lightBeforeTheClampIsTheFilament() {
+		assertEquals(Optional.empty(), ofAllIfClampedAt(1));
+	}
+
+	/** Where it ends depends on how bright it is there, which was learned with the length. */
+	@Test
+	void ofALineWithADimEndTheLengthAloneIsNotChanged() {
+		final FilamentCourse even = course(0.96);
+		final FilamentCourse dim = even
+			.withEstimate(new FilamentEstimate(LINE.withBrightness(new double[]{1.4, 0.6}), 1,
+				0.96 * LENGTH, Double.NaN, even.estimate().fixedEnd(), false));
+		assertTrue(ofAll(found(0.96, even), 0.96).isPresent());
+		assertEquals(Optional.empty(), ofAll(found(0.96, dim), 0.96));
+	}
+
+	/** A clamp that stays is where the light begins if that is before it: no tip is pushed out. */
+	@Test
+	void theClampIsFoundTogetherWithTheLength() {
+		final Chain first = TRUTH.get(0);
+		final Point late = new Point(first.start().x() + 3 * Math.cos(first.angle(0)),
+			first.start().y() + 3 * Math.sin(first.angle(0)));
+		final double times = 1 - 3 / LENGTH;
+		final FilamentCourse thought = course(times)
+			.withAnchor(AnchorPath.still(late, TRUTH.size()));
+		final FilamentCourse course = ofAll(found(times, thought), times).orElseThrow();
+		assertEquals(LENGTH, course.estimate().length(), 0.004 * LENGTH);
+		assertEquals(0, course.anchor().at(3).distanceTo(first.start()), 0.3);
+		assertEquals(0, course.anchor().range());
+	}
+
+	/** Something hides it there. */
+	@Test
+	void theFilamentBeginsAtItsClampEvenIfItsLightDoesNot() {
+		final double length = ofAllIfClampedAt(-1.5).orElseThrow().estimate().length();
+		assertEquals(LENGTH + 1.5, length, 0.004 * LENGTH);
+	}
+
 	/** Frames in which the fixed end is carried along, and was thought to be elsewhere. */
 	private static FitPools held(final IntFunction<Point> carried, final IntFunction<Point> off) {
 		final List<Chain> truth = IntStream.range(0, TRUTH.size())
@@ -167,7 +226,8 @@ class FitPoolsTest {
 	void aFixedEndThatMovesIsWhereContoursBeginThatAreNotHeld() {
 		final IntFunction<Point> drift = t -> new Point(0.4 * t, -0.2 * t);
 		final FitPools held = held(drift, t -> new Point(1.4, -1));
-		final AnchorPath settled = held.withAnchorOfAll(Workers.HERE, Progress.NONE).anchor();
+		final AnchorPath settled = held.withAnchorOfAll(false, Workers.HERE, Progress.NONE)
+			.anchor();
 		for (int t = 0; t < TRUTH.size(); t++) {
 			final double begins = off(held.fits().get(t).get(0).chain().start(), t, drift);
 			assertTrue(begins > 1, "held, frame " + t + ": " + begins + " px");
@@ -177,9 +237,40 @@ class FitPoolsTest {
 	}
 
 	@Test
-	void aFixedEndThatStaysIsNotAskedWhereItIs() {
-		final FitPools still = found(1);
-		assertSame(still.course(), still.withAnchorOfAll(Workers.HERE, Progress.NONE));
+	void aFixedEndThatSurelyStaysIsNotAskedWhereItIs() {
+		final FitPools still = jittering(1.5);
+		assertSame(still.course(), still.withAnchorOfAll(false, Workers.HERE, Progress.NONE));
+	}
+
+	/** Frames in which the fixed end jitters by so many pixels, and was thought to stay. */
+	private static FitPools jittering(final double by) {
+		final FitPools held = held(t -> jitter(t, by),
+			t -> new Point(TRUTH.get(0).start().x() - TRUTH.get(t).start().x() - jitter(t, by).x(),
+				TRUTH.get(0).start().y() - TRUTH.get(t).start().y() - jitter(t, by).y()));
+		return new FitPools(held.frames(), held.light(), held.course().withNoise(0.05), held.sets(),
+			held.fits(), held.settings());
+	}
+
+	private static Point jitter(final int t, final double by) {
+		return new Point(by * (t % 3 - 1), by * (t * 7 % 5 - 2) / 2);
+	}
+
+	@Test
+	void aFixedEndThatJittersIsFollowedIfItStayedByLittle() {
+		final FitPools held = jittering(2);
+		assertEquals(0, held.course().anchor().range());
+		final AnchorPath settled = held.withAnchorOfAll(true, Workers.HERE, Progress.NONE).anchor();
+		for (int t = 0; t < TRUTH.size(); t++) {
+			final int frame = t;
+			final double off = off(settled.at(t), t, i -> jitter(frame, 2));
+			assertTrue(off < 0.8, "frame " + t + ": " + off + " px");
+		}
+	}
+
+	@Test
+	void oneThatStaysIsNotFollowedByChance() {
+		final FitPools held = jittering(0.2);
+		assertSame(held.course(), held.withAnchorOfAll(true, Workers.HERE, Progress.NONE));
 	}
 
 	@Test

@@ -51,9 +51,17 @@ class LengthsTest {
 
 	@Test
 	void aLengthIsAnotherIfItIsSurelyAndNoticeablyOff() {
-		assertFalse(new Lengths.Common(152, 1).isOtherThan(150));
-		assertFalse(new Lengths.Common(150.4, 0.1).isOtherThan(150));
-		assertTrue(new Lengths.Common(152, 0.5).isOtherThan(150));
-		assertTrue(new Lengths.Common(149, 0.1).isOtherThan(150));
+		assertFalse(new Lengths.Common(152, 1).isOtherThan(150, Double.NaN));
+		assertFalse(new Lengths.Common(150.4, 0.1).isOtherThan(150, Double.NaN));
+		assertTrue(new Lengths.Common(152, 0.5).isOtherThan(150, Double.NaN));
+		assertTrue(new Lengths.Common(149, 0.1).isOtherThan(150, Double.NaN));
+	}
+
+	/** What was a guess is given up for what is known, as far as that is another. */
+	@Test
+	void aGuessIsAnotherLengthIfThisOneIsKnownFarBetter() {
+		assertTrue(new Lengths.Common(151, 0.5).isOtherThan(150, 1.1));
+		assertFalse(new Lengths.Common(151, 0.5).isOtherThan(150, 0.9));
+		assertFalse(new Lengths.Common(150.4, 0.5).isOtherThan(150, 1.1));
 	}
 }

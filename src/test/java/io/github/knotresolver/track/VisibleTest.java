@@ -38,6 +38,17 @@ class VisibleTest {
 		assertEquals(10, visible.contour().first().x());
 	}
 
+	/** Not at the last of its points that is in the picture, which may be most of a pixel before. */
+	@Test
+	void itEndsBetweenItsPoints() {
+		final Visible visible = Visible.of(Drawn.line(10, 12, 38.6, 12, 41.6, 12), FRAME);
+		assertEquals(39.5, visible.contour().last().x(), 0.01);
+		assertEquals(29.5 / 31.6, visible.share(), 0.001);
+		final Visible up = Visible.of(Drawn.line(10, 12, 10, 0.2, 12, -1.8), FRAME);
+		assertEquals(-0.5, up.contour().last().y(), 0.01);
+		assertEquals(10.7, up.contour().last().x(), 0.01);
+	}
+
 	@Test
 	void whatComesBackInAfterTheBorderIsNotShown() {
 		final Polyline back = Drawn.line(20, 12, 30, 12, 39, 12, 45, 14, 45, 18, 38, 20, 20, 20);
