@@ -111,12 +111,17 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 				.withLength(LengthCourse.constant(c.length(), chosen.size())));
 	}
 
-	/** A contour that begins and ends with its light, and how far from the clamp that begins. */
+	/** A contour that ends, and unless it is held begins, with its light, and how far from the clamp. */
 	private record Light(Chain chain, double late) {
 	}
 
 	private Light light(final int t, final Polyline contour) {
-		final Chain free = fitter(t, Optional.empty(), settings.withFreeLength(true), links())
+		final FitSettings anyLength = settings.withFreeLength(true);
+		// In noise a start that is not held is farther off than a clamp that all frames say.
+		final FilamentFitter fitter = settings.isNoisy()
+			? fitter(t, anyLength, links())
+			: fitter(t, Optional.empty(), anyLength, links());
+		final Chain free = fitter
 			.fit(Chain.along(contour, links(), contour.length()), Optional.empty()).chain();
 		final Point clamp = course.anchor().at(t), start = free.start();
 		return new Light(free, (start.x() - clamp.x()) * Math.cos(free.angle(0))

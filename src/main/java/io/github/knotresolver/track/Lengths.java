@@ -45,8 +45,8 @@ record Lengths(double[] whole, double longestCut, double cutShare,
 	 *
 	 * @param free the movie as fitted with free lengths
 	 * @param known what was known of the filament
-	 * @return the same with the length as it was found: first from frames in which the tip is free,
-	 *         since one that lies on the filament says little of where it ends; then from all
+	 * @return the same with the length as it was found; if that changes, first as frames say in which
+	 *         the tip is free, since one that lies on the filament says little of where it ends
 	 */
 	static List<FilamentCourse> found(final FitTrellis.Solved free, final FilamentCourse known) {
 		final int[] seen = IntStream.range(0, free.lengths().length)
@@ -56,7 +56,8 @@ record Lengths(double[] whole, double longestCut, double cutShare,
 		final int[] open = Arrays.stream(seen)
 			.filter(t -> GuessedLength.isTipFree(free.frames().get(t), known.estimate().model()))
 			.toArray();
-		return Stream.of(open, seen).flatMap(frames -> found(free, frames, known).stream())
+		return found(free, seen, known).stream()
+			.flatMap(all -> Stream.concat(found(free, open, known).stream(), Stream.of(all)))
 			.toList();
 	}
 

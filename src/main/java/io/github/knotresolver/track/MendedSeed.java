@@ -203,10 +203,15 @@ final class MendedSeed {
 		return PricedPass.of(course, first, line, workers);
 	}
 
-	/** What those might be around which light is left, and what was not tried yet. */
+	/**
+	 * What those might be around which light is left, and what was not tried yet; nothing if that is
+	 * so around every one of many.
+	 */
 	private List<Other> others(final PricedPass now, final Set<List<Chain>> tried) {
 		final List<Chain> seed = now.pass().chains().get(start - first);
 		final boolean[] lost = lost(now);
+		if (seed.size() > SceneTuning.MEND_HANDFUL && areAll(lost))
+			return List.of();
 		final List<List<Other>> all = workers.map(seed.size(), i -> {
 			final List<Other> of = new ArrayList<>();
 			if (!lost[i])
@@ -221,6 +226,10 @@ final class MendedSeed {
 			return of;
 		});
 		return all.stream().flatMap(List::stream).toList();
+	}
+
+	private static boolean areAll(final boolean[] lost) {
+		return IntStream.range(0, lost.length).allMatch(k -> lost[k]);
 	}
 
 	/** For each filament whether light is left around it more than seldom. */

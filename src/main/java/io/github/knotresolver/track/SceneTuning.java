@@ -866,6 +866,11 @@ final class SceneTuning {
 	 */
 	static final int MEND_ROUNDS = 4;
 	/**
+	 * [filaments] A seed of more is not mended if light is left around all of them. Why: where some are
+	 * right, their neighbours can be; trails through noise become more with every cut.
+	 */
+	static final int MEND_HANDFUL = 4;
+	/**
 	 * [strands²] Something else is kept if it costs less by this in a frame, the price of a filament
 	 * more included. Why: light around one place.
 	 */

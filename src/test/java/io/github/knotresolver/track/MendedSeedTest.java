@@ -69,6 +69,32 @@ class MendedSeedTest {
 		}
 	}
 
+	/** Trails through noise, around which none of it is explained. */
+	@Test
+	void aSeedOfManyOfWhichNoneIsRightIsNotMended() {
+		final List<String> tried = new ArrayList<>();
+		final Progress progress = new Progress() {
+
+			@Override
+			public void report(final String what, final double done) {
+				tried.add(what);
+			}
+
+			@Override
+			public boolean isCancelled() {
+				return false;
+			}
+		};
+		final List<Chain> seed = new ArrayList<>();
+		for (int k = 0; k < 6; k++) {
+			seed.add(Chain.inScene(Drawn.line(30, 20 + 3 * k, 90, 20 + 3 * k), 60));
+			new MendedSeed(seen(gliders(1, 0)), SceneWeights.DEFAULT, Workers.HERE, progress, START)
+				.followed(seed);
+			assertEquals(k < 4, tried.contains("Looking for filaments"), (k + 1) + " trails");
+			tried.clear();
+		}
+	}
+
 	@Test
 	void oneLineThatPartsIsTwoFilaments() {
 		assertFollowed(gliders(1, 0), Drawn.line(MIDDLE - FIRST, MIDDLE, MIDDLE + SECOND, MIDDLE));
