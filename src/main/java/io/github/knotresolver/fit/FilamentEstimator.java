@@ -210,7 +210,7 @@ public final class FilamentEstimator {
 		boolean isPlausible() {
 			final boolean additive = line.model().kind() == LineModel.Kind.ADDITIVE;
 			return LineEstimator.isClipped(examples)
-				? !additive || line.unexplainedBesidesNoise() < WELL
+				? !additive || line.unexplained() < WELL
 				: additive || line.model().power() > FitTuning.FLAT_POWER;
 		}
 

@@ -102,11 +102,6 @@ public final class LineEstimator {
 			return isClipped(examples) ? unexplained : residual - noise;
 		}
 
-		/** The share of what is not noise that it does not explain. */
-		double unexplainedBesidesNoise() {
-			return unexplained * Math.max(0, 1 - noise / residual);
-		}
-
 		/** @return whether what was learned is brighter than its background, and no wider than lines are */
 		public boolean isLine() {
 			return amplitude > 0 && model.sigma() < FitTuning.WIDEST_LINE;

@@ -48,7 +48,7 @@ public record LineAppearance(Polarity polarity, double sigma, int binning, doubl
 	/**
 	 * @return the same lines in pictures that are binned less, so that no line is thinner there than
 	 *         1.4 pixels, as if nothing else had been measured: where focus wanders, sharp frames are
-	 *         to lose nothing
+	 *         to lose nothing, and lines that were cut off look wider than they are
 	 */
 	public LineAppearance finer() {
 		return binned(polarity, sigma, (int) (sigma / ImageTuning.COARSE_LINE));

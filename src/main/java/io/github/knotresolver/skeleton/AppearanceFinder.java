@@ -73,6 +73,37 @@ public final class AppearanceFinder {
 				columns);
 		}
 
+		/**
+		 * Whether lines reach the largest value of all pixels along much of their length: cut off, they
+		 * look wider than they are.
+		 */
+		boolean isCutOff(final List<Look> looks, final LineAppearance lines) {
+			final int sign = lines.polarity().sign(), block = lines.binning();
+			float ceiling = Float.NEGATIVE_INFINITY;
+			for (final float[] frame : frames)
+				for (final float value : frame)
+					ceiling = Math.max(ceiling, sign * value);
+			int along = 0, cutOff = 0;
+			for (int t = 0; t < frames.size(); t++)
+				for (final int at : looks.get(t).places) {
+					final int columns = width / block;
+					along++;
+					cutOff += reaches(frames.get(t),
+						at / columns * block * width + at % columns * block, block, sign, ceiling)
+							? 1
+							: 0;
+				}
+			return cutOff > SkeletonTuning.CUT_OFF * along;
+		}
+
+		private boolean reaches(final float[] frame, final int corner, final int block,
+			final int sign, final float ceiling) {
+			for (int i = 0; i < block * block; i++)
+				if (sign * frame[corner + i / block * width + i % block] >= ceiling)
+					return true;
+			return false;
+		}
+
 		private float[] part(final float[] frame, final int from, final int columns,
 			final int rows) {
 			final float[] part = new float[columns * rows];
@@ -136,7 +167,8 @@ public final class AppearanceFinder {
 		for (int round = 1; round < SkeletonTuning.WIDTH_ROUNDS; round++)
 			appearance = withWidth(appearance, looks(sample, appearance));
 		List<Look> last = looks(sample, appearance);
-		if (focusWanders(last) && appearance.finer().binning() != appearance.binning()) {
+		if (appearance.finer().binning() != appearance.binning()
+			&& (focusWanders(last) || sample.isCutOff(last, appearance))) {
 			appearance = appearance.finer();
 			last = looks(sample, appearance);
 		}

@@ -198,4 +198,10 @@ final class SkeletonTuning {
 
 	/** [frames] Of so many the widest and the narrowest do not count. Why: beads make one of eight wide. */
 	static final int MANY_LOOKS = 5;
+
+	/**
+	 * [length, share] Lines that reach the largest value along more of it were cut off, and are not
+	 * binned as if they were as wide as they look. Why: crossings alone reach it along less.
+	 */
+	static final double CUT_OFF = 0.25;
 }

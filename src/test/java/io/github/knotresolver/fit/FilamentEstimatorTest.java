@@ -270,20 +270,6 @@ class FilamentEstimatorTest {
 		assertFalse(BrightnessProfile.hasBrightEnd(spot, 400));
 	}
 
-	/** Strong noise, of which the camera cuts off what is above a strand. */
-	@Test
-	void noiseThatIsCutOffMakesNoFlatLine() {
-		final double noise = 0.5;
-		final FilamentEstimate estimate = estimate(
-			LineModel.uniform(LineModel.Kind.ADDITIVE, 1.5, 1), noise, frame -> {
-				final double[] cut = Arrays.stream(frame.pixels()).map(v -> Math.min(1.4, v))
-					.toArray(), height = new double[cut.length];
-				Arrays.fill(height, 1.4 - noise);
-				return new NormalizedFrame(frame.width(), frame.height(), cut).withCeiling(height);
-			});
-		assertEquals(LineModel.Kind.ADDITIVE, estimate.model().kind());
-	}
-
 	@Test
 	void aLengthFromOneFrameInWhichItLiesOnItselfIsAGuess() {
 		final LineModel model = LineModel.uniform(LineModel.Kind.ADDITIVE, 1.4, 1);

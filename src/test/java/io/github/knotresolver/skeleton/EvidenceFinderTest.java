@@ -102,6 +102,18 @@ class EvidenceFinderTest {
 		assertEquals(1, wandering.binning());
 	}
 
+	/** Cut off at half of its height a line looks wider. */
+	@Test
+	void aLineThatWasCutOffIsNotBinnedAsIfItWereAsWideAsItLooks() {
+		final float[] whole = wave(2.3, 100, 0),
+			cut = changed(wave(1.7, 100, 0), v -> Math.min(140, v));
+		assertEquals(2, look(movie(whole), Polarity.BRIGHT).appearance().binning());
+		final LineAppearance wide = look(movie(cut), Polarity.BRIGHT).appearance();
+		assertTrue(wide.sigma() > 1.5 * 1.4, wide.toString());
+		assertEquals(1, wide.binning());
+		assertEquals(1, look(movie(changed(cut, v -> -v)), Polarity.DARK).appearance().binning());
+	}
+
 	@Test
 	void theLineIsFollowedFromEndToEndAndNothingElse() {
 		final FrameEvidence e = first(movie(wave(1.4, 60, 0)));
