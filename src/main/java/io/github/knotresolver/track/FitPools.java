@@ -215,7 +215,8 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 	 * A fixed end that moves is once more followed through where contours begin that are not held:
 	 * those that are held begin where it was thought to be. They may have any length, too: one that is
 	 * not quite right moves no end then. One that was thought to stay is followed if the contours of
-	 * most frames begin elsewhere, and are better so than by chance.
+	 * most frames begin elsewhere, no farther than skeletons leave open, and are better so than by
+	 * chance.
 	 *
 	 * @param doubtful whether little says that it moves, or stays
 	 * @param workers threads
@@ -238,6 +239,8 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 		final List<Freed> all = freed.stream().flatMap(Optional::stream).toList();
 		final double noise = course.noise();
 		return !all.isEmpty()
+			&& all.stream().filter(f -> f.moved < TrackTuning.STILL_SKELETON)
+				.count() > TrackTuning.NEAR_STILL * all.size()
 			&& RobustStatistics.median(all.stream().mapToDouble(Freed::gain)
 				.toArray()) > TrackTuning.SURELY_ELSEWHERE * FREEDOM * noise * noise
 			&& AnchorPath.moves(all.stream().map(f -> f.chain.start()).toList(),

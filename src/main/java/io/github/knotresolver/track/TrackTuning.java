@@ -188,6 +188,12 @@ final class TrackTuning {
 	 */
 	static final double SURELY_ELSEWHERE = 2;
 
+	/**
+	 * [frames, share] ... and nearer than {@code STILL_SKELETON} in so many of them. Why: farther off
+	 * skeletons would have seen it; a filament beside the clamp takes contours with it.
+	 */
+	static final double NEAR_STILL = 0.9;
+
 	/** [px] ... as a skeleton says. Why: see {@code SKELETON_SHORT}. */
 	static final double END_NOISE = 1.5;
 
