@@ -83,15 +83,14 @@ public final class AppearanceFinder {
 			for (final float[] frame : frames)
 				for (final float value : frame)
 					ceiling = Math.max(ceiling, sign * value);
+			final int columns = width / block;
 			int along = 0, cutOff = 0;
 			for (int t = 0; t < frames.size(); t++)
 				for (final int at : looks.get(t).places) {
-					final int columns = width / block;
+					final int corner = (at / columns * width + at % columns) * block;
 					along++;
-					cutOff += reaches(frames.get(t),
-						at / columns * block * width + at % columns * block, block, sign, ceiling)
-							? 1
-							: 0;
+					if (reaches(frames.get(t), corner, block, sign, ceiling))
+						cutOff++;
 				}
 			return cutOff > SkeletonTuning.CUT_OFF * along;
 		}
@@ -167,9 +166,10 @@ public final class AppearanceFinder {
 		for (int round = 1; round < SkeletonTuning.WIDTH_ROUNDS; round++)
 			appearance = withWidth(appearance, looks(sample, appearance));
 		List<Look> last = looks(sample, appearance);
-		if (appearance.finer().binning() != appearance.binning()
+		final LineAppearance finer = appearance.finer();
+		if (finer.binning() != appearance.binning()
 			&& (focusWanders(last) || sample.isCutOff(last, appearance))) {
-			appearance = appearance.finer();
+			appearance = finer;
 			last = looks(sample, appearance);
 		}
 		final double[] clarities = last.stream().mapToDouble(Look::clarity).filter(c -> c > 0)

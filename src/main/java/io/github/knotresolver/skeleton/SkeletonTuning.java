@@ -187,9 +187,6 @@ final class SkeletonTuning {
 	 */
 	static final double INDEPENDENT = 3;
 
-	private SkeletonTuning() {
-	}
-
 	/**
 	 * [ratio] Focus wanders if lines are so much wider in some of the frames that are looked at than
 	 * in others. Why: noise and beads change them by a fifth.
@@ -204,4 +201,7 @@ final class SkeletonTuning {
 	 * binned as if they were as wide as they look. Why: crossings alone reach it along less.
 	 */
 	static final double CUT_OFF = 0.25;
+
+	private SkeletonTuning() {
+	}
 }

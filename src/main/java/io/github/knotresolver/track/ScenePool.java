@@ -41,8 +41,8 @@ final class ScenePool {
 				count += c ? 1 : 0;
 			all += count >= SceneTuning.ALWAYS_CLEAR * clear[k].length ? 1 : 0;
 			final List<Chain> chains = pass.filament(k);
-			if (count >= SceneTuning.KNOWN_CLEAR * clear[k].length && chains.get(0)
-				.length() >= SceneTuning.SCENE_SPECK * line.tables().model().sigma())
+			if (count >= SceneTuning.KNOWN_CLEAR * clear[k].length
+				&& chains.get(0).length() >= Specks.shortestFilament(line.tables().model().sigma()))
 				filaments.add(new Known(chains, clear[k], count));
 		}
 		filaments.sort(Comparator.comparingInt(Known::count).reversed());

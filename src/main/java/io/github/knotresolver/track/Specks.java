@@ -1,8 +1,8 @@
 
 package io.github.knotresolver.track;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.geometry.Polyline;
@@ -25,8 +25,14 @@ record Specks(List<List<Chain>> chains, double sigma) {
 	 * @param sigma standard deviation of the line in pixels
 	 */
 	static Specks of(final List<List<Chain>> objects, final double sigma) {
-		return new Specks(objects.stream()
-			.filter(c -> c.get(0).length() < SceneTuning.SCENE_SPECK * sigma).toList(), sigma);
+		final double shortest = shortestFilament(sigma);
+		return new Specks(objects.stream().filter(c -> c.get(0).length() < shortest).toList(),
+			sigma);
+	}
+
+	/** Length in pixels of which a filament is at least, by the line's sigma. */
+	static double shortestFilament(final double sigma) {
+		return SceneTuning.SCENE_SPECK * sigma;
 	}
 
 	/** Whether an object is one of them. */
@@ -52,25 +58,23 @@ record Specks(List<List<Chain>> chains, double sigma) {
 
 	private static boolean staysBeside(final List<Chain> piece, final List<Chain> filament,
 		final double width) {
-		int beside = 0;
-		for (int t = 0; t < piece.size(); t++) {
-			final Polyline contour = filament.get(t).contour();
-			final Polyline nodes = piece.get(t).polyline();
-			boolean touches = false;
-			for (int i = 0; i < nodes.size() && !touches; i++)
-				touches = contour.distanceTo(nodes.point(i)) < width;
-			beside += touches ? 1 : 0;
-		}
+		final long beside = IntStream.range(0, piece.size())
+			.filter(t -> isBeside(piece.get(t), filament.get(t).contour(), width)).count();
 		return beside > SceneTuning.STAYS_BESIDE * piece.size();
+	}
+
+	private static boolean isBeside(final Chain piece, final Polyline contour, final double width) {
+		final Polyline nodes = piece.polyline();
+		return IntStream.range(0, nodes.size())
+			.anyMatch(i -> contour.distanceTo(nodes.point(i)) < width);
 	}
 
 	/** What a user should know of them. */
 	List<String> notes() {
-		final List<String> notes = new ArrayList<>();
-		if (!chains.isEmpty())
-			notes.add(chains.size() + (chains.size() == 1 ? " object was" : " objects were")
+		return chains.isEmpty()
+			? List.of()
+			: List.of(chains.size() + (chains.size() == 1 ? " object was" : " objects were")
 				+ " modelled but not counted as filaments: they are shorter than "
 				+ Math.round(SceneTuning.SCENE_SPECK) + " times the line's sigma.");
-		return notes;
 	}
 }

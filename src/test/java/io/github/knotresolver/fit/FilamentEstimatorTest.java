@@ -284,7 +284,7 @@ class FilamentEstimatorTest {
 				one.add(two.get(0));
 		}
 		assertTrue(guessed(one));
-		assertTrue(!guessed(two));
+		assertFalse(guessed(two));
 		assertFalse(guessed(List.of(new Sighting(one.get(0).frame(), one.get(0).contour()))));
 	}
 
