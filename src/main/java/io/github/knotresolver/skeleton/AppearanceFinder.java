@@ -73,36 +73,6 @@ public final class AppearanceFinder {
 				columns);
 		}
 
-		/**
-		 * Whether lines reach the largest value of all pixels along much of their length: cut off, they
-		 * look wider than they are.
-		 */
-		boolean isCutOff(final List<Look> looks, final LineAppearance lines) {
-			final int sign = lines.polarity().sign(), block = lines.binning();
-			float ceiling = Float.NEGATIVE_INFINITY;
-			for (final float[] frame : frames)
-				for (final float value : frame)
-					ceiling = Math.max(ceiling, sign * value);
-			final int columns = width / block;
-			int along = 0, cutOff = 0;
-			for (int t = 0; t < frames.size(); t++)
-				for (final int at : looks.get(t).places) {
-					final int corner = (at / columns * width + at % columns) * block;
-					along++;
-					if (reaches(frames.get(t), corner, block, sign, ceiling))
-						cutOff++;
-				}
-			return cutOff > SkeletonTuning.CUT_OFF * along;
-		}
-
-		private boolean reaches(final float[] frame, final int corner, final int block,
-			final int sign, final float ceiling) {
-			for (int i = 0; i < block * block; i++)
-				if (sign * frame[corner + i / block * width + i % block] >= ceiling)
-					return true;
-			return false;
-		}
-
 		private float[] part(final float[] frame, final int from, final int columns,
 			final int rows) {
 			final float[] part = new float[columns * rows];
@@ -165,15 +135,8 @@ public final class AppearanceFinder {
 		LineAppearance appearance = withWidth(rough, first);
 		for (int round = 1; round < SkeletonTuning.WIDTH_ROUNDS; round++)
 			appearance = withWidth(appearance, looks(sample, appearance));
-		List<Look> last = looks(sample, appearance);
-		final LineAppearance finer = appearance.finer();
-		if (finer.binning() != appearance.binning()
-			&& (focusWanders(last) || sample.isCutOff(last, appearance))) {
-			appearance = finer;
-			last = looks(sample, appearance);
-		}
-		final double[] clarities = last.stream().mapToDouble(Look::clarity).filter(c -> c > 0)
-			.toArray();
+		final double[] clarities = looks(sample, appearance).stream().mapToDouble(Look::clarity)
+			.filter(c -> c > 0).toArray();
 		if (clarities.length == 0)
 			return appearance;
 		appearance = appearance.asFineAsNoiseAllows(RobustStatistics.median(clarities, 0));
@@ -182,16 +145,6 @@ public final class AppearanceFinder {
 		return strengths.length == 0
 			? appearance
 			: appearance.withReference(RobustStatistics.median(strengths));
-	}
-
-	/** Whether lines are much wider in some frames than in others; of many the extremes may be noise. */
-	private static boolean focusWanders(final List<Look> looks) {
-		final double[] widths = looks.stream()
-			.mapToDouble(l -> CrossProfile.width(List.of(l.profile))).filter(Double::isFinite)
-			.sorted().toArray();
-		final int extreme = widths.length / SkeletonTuning.MANY_LOOKS;
-		return widths.length > 0
-			&& widths[widths.length - 1 - extreme] > SkeletonTuning.WANDERS * widths[extreme];
 	}
 
 	private static LineAppearance withWidth(final LineAppearance before, final List<Look> looks) {

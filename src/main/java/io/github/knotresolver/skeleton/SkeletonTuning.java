@@ -187,21 +187,6 @@ final class SkeletonTuning {
 	 */
 	static final double INDEPENDENT = 3;
 
-	/**
-	 * [ratio] Focus wanders if lines are so much wider in some of the frames that are looked at than
-	 * in others. Why: noise and beads change them by a fifth.
-	 */
-	static final double WANDERS = 1.3;
-
-	/** [frames] Of so many the widest and the narrowest do not count. Why: beads make one of eight wide. */
-	static final int MANY_LOOKS = 5;
-
-	/**
-	 * [length, share] Lines that reach the largest value along more of it were cut off, and are not
-	 * binned as if they were as wide as they look. Why: crossings alone reach it along less.
-	 */
-	static final double CUT_OFF = 0.25;
-
 	private SkeletonTuning() {
 	}
 }

@@ -71,6 +71,11 @@ record SceneLine(LineTables tables, List<FrameView> frames, double noise) {
 		return new SceneLine(LineTables.together(line.model()), known, noise[noise.length / 2]);
 	}
 
+	/** Length in pixels of which a filament is at least; what is shorter is a speck. */
+	double shortestFilament() {
+		return Specks.shortestFilament(tables().model().sigma());
+	}
+
 	/** About how bright a strand is above the background, in the frames' units. */
 	static double firstStrand(final List<FrameView> frames) {
 		final int stride = 1 + (frames.size() - 1) / SceneTuning.LINE_LOOKS;

@@ -42,7 +42,7 @@ final class ScenePool {
 			all += count >= SceneTuning.ALWAYS_CLEAR * clear[k].length ? 1 : 0;
 			final List<Chain> chains = pass.filament(k);
 			if (count >= SceneTuning.KNOWN_CLEAR * clear[k].length
-				&& chains.get(0).length() >= Specks.shortestFilament(line.tables().model().sigma()))
+				&& chains.get(0).length() >= line.shortestFilament())
 				filaments.add(new Known(chains, clear[k], count));
 		}
 		filaments.sort(Comparator.comparingInt(Known::count).reversed());

@@ -182,7 +182,7 @@ public final class SceneResolver {
 
 	/** Whether refinement can but make the only filament better, or a speck longer. */
 	private boolean isOneClamped(final SceneLine line, final List<Settled> followed) {
-		final double speck = Specks.shortestFilament(line.tables().model().sigma());
+		final double speck = line.shortestFilament();
 		if (followed.stream().filter(f -> f.chains().get(0).length() >= speck).count() != 1)
 			return false;
 		final boolean[][] clear = ScenePass.of(followed).clear(line, workers);

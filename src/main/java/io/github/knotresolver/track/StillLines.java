@@ -89,7 +89,7 @@ public final class StillLines {
 			return List.of();
 		final SceneLine line = SceneLine.learn(List.of(still), Set.of(LineModel.Kind.ADDITIVE),
 			Workers.HERE, progress);
-		final double shortest = Specks.shortestFilament(line.tables().model().sigma());
+		final double shortest = line.shortestFilament();
 		return chains(line, c -> c.length() >= shortest && isBetween(c, ends) && !endsIn(c, meant))
 			.stream().filter(c -> isBetween(c, ends))
 			.map(c -> StillLine.of(c, line.tables(), still.light(), frames))
