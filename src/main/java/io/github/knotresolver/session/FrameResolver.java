@@ -76,7 +76,10 @@ final class FrameResolver {
 	Optional<Track> resolve(final List<Constraint> said, final Workers workers,
 		final Progress progress) {
 		if (parameters.refine() && parameters.resolver() == ResolverMethod.MOVIE)
-			return solver(workers, progress).map(s -> s.solve(said, workers, progress));
+			return solver(workers, progress).map(s -> s.solve(said, workers, progress))
+				.map(t -> said.isEmpty() && parameters.fixedEnd().isEmpty()
+					? t.withFrames(StillerEnd.doubted(t.frames()))
+					: t);
 		final Track track = onSkeletons(contours(said), workers, progress);
 		return Optional.of(parameters.refine() ? refined(track, workers, progress) : track);
 	}

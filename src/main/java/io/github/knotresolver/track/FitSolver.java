@@ -59,7 +59,9 @@ public final class FitSolver {
 			course.withLength(course.length().settled(solved.lengths())).notes(pools.frames()));
 		return new Track(course.estimate().fixedEnd(), course.estimate().length(),
 			course.estimate().lengthError(),
-			GuessedLength.doubted(TurnedRound.doubted(solved.frames()), course.estimate()), notes);
+			GuessedLength.doubted(StrayStart.doubted(TurnedRound.doubted(solved.frames()),
+				course.estimate().model().sigma()), course.estimate()),
+			notes);
 	}
 
 	/**

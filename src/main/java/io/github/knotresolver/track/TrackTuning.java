@@ -237,6 +237,34 @@ final class TrackTuning {
 	static final double TURNED = 0.5;
 
 	/**
+	 * [median distances] A contour begins elsewhere if it begins so much farther from the middle of all
+	 * starts than half of them do, and more than a line's width. Why: of a clamp that jitters one in
+	 * thirty million does.
+	 */
+	static final double STRAY = 5;
+
+	/** [frames] ... of so many. Why: most of fewer may be wrong together. */
+	static final int STRAY_FEWEST = 5;
+
+	/**
+	 * [share of the length] Near its start a filament goes where the clamp does. Why: farther on it
+	 * beats.
+	 */
+	static final double NEAR_START = 0.25;
+
+	/**
+	 * [ratio] It was carried there if it went another way by less than this part. Why: a stage takes
+	 * all of it along.
+	 */
+	static final double CARRIED = 0.3;
+
+	/**
+	 * [ratio] Which end is held is a guess if the one that is taken for it moves more than this part of
+	 * what the other one does. Why: on stages that jitter by 1 px a frame it is below 0.5.
+	 */
+	static final double RESTLESS = 0.7;
+
+	/**
 	 * [line widths] A contour of which no more is in the picture is not given. Why: it cannot be told
 	 * from a spot, and its course not at all.
 	 */
