@@ -93,6 +93,11 @@ public record LineModel(Kind kind, double sigma, double power, double[] brightne
 		return Math.min(brightness[0], brightness[brightness.length - 1]) < FitTuning.DIM_END;
 	}
 
+	/** @return brightness of its tip, in strands' */
+	public double atTip() {
+		return brightness[brightness.length - 1];
+	}
+
 	/** @return the same line in a frame in which it is so many times as wide */
 	LineModel in(final NormalizedFrame frame) {
 		return frame.widening() == 1

@@ -50,6 +50,7 @@ final class FrameResolver {
 	private final Set<LineModel.Kind> kinds;
 	private final List<FrameView> frames;
 	private final Point fixedEnd;
+	private final int binning;
 	/** Our method, once it has looked at the movie. */
 	private Optional<Optional<FitSolver>> solver = Optional.empty();
 
@@ -58,13 +59,15 @@ final class FrameResolver {
 	 * @param kinds how strands may add up
 	 * @param frames the frames to resolve, in order, at least one
 	 * @param fixedEnd the fixed end in pixels
+	 * @param binning edge of a pixel in pixels of the movie
 	 */
 	FrameResolver(final Settings parameters, final Set<LineModel.Kind> kinds,
-		final List<FrameView> frames, final Point fixedEnd) {
+		final List<FrameView> frames, final Point fixedEnd, final int binning) {
 		this.parameters = parameters;
 		this.kinds = kinds;
 		this.frames = frames;
 		this.fixedEnd = fixedEnd;
+		this.binning = binning;
 	}
 
 	/**
@@ -76,7 +79,11 @@ final class FrameResolver {
 	Optional<Track> resolve(final List<Constraint> said, final Workers workers,
 		final Progress progress) {
 		if (parameters.refine() && parameters.resolver() == ResolverMethod.MOVIE)
-			return solver(workers, progress).map(s -> s.solve(said, workers, progress));
+			return solver(workers, progress)
+				.map(s -> s.doubtedIfWide(s.solve(said, workers, progress), binning))
+				.map(t -> said.isEmpty() && parameters.fixedEnd().isEmpty()
+					? t.withFrames(StillerEnd.doubted(t.frames()))
+					: t);
 		final Track track = onSkeletons(contours(said), workers, progress);
 		return Optional.of(parameters.refine() ? refined(track, workers, progress) : track);
 	}

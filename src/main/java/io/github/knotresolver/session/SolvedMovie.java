@@ -143,7 +143,8 @@ final class SolvedMovie {
 		final Point fixedEnd = working.fixedEnd()
 			.orElseGet(() -> new FixedEndFinder(frames, progress).find()
 				.orElseThrow(() -> nothingFound(movie, settings)));
-		return new FrameResolver(working, prepared.kinds(), frames, fixedEnd);
+		return new FrameResolver(working, prepared.kinds(), frames, fixedEnd,
+			prepared.pixels().binning());
 	}
 
 	/** The frames without the light of filaments that are not meant. */

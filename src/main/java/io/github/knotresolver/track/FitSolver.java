@@ -11,6 +11,7 @@ import java.util.concurrent.ConcurrentHashMap;
 
 import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.fit.Fit;
+import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
@@ -59,7 +60,22 @@ public final class FitSolver {
 			course.withLength(course.length().settled(solved.lengths())).notes(pools.frames()));
 		return new Track(course.estimate().fixedEnd(), course.estimate().length(),
 			course.estimate().lengthError(),
-			GuessedLength.doubted(TurnedRound.doubted(solved.frames()), course.estimate()), notes);
+			GuessedLength.doubted(StrayStart.doubted(TurnedRound.doubted(solved.frames()),
+				course.estimate().model().sigma()), course.estimate()),
+			notes);
+	}
+
+	/**
+	 * Takes the confidence off contours whose tip may be off because the line is wide.
+	 *
+	 * @param track that this solved
+	 * @param binning edge of a pixel in pixels of the movie
+	 * @return the same contours
+	 */
+	public Track doubtedIfWide(final Track track, final double binning) {
+		final LineModel model = pools.course().estimate().model();
+		return track.withFrames(TipBeside.ofLine(model.sigma()).doubted(track.frames(),
+			pools.course().noise() / model.atTip(), TrackTuning.WRONG / binning));
 	}
 
 	/**

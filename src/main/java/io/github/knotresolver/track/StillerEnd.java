@@ -4,6 +4,8 @@ package io.github.knotresolver.track;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
@@ -15,6 +17,8 @@ import io.github.knotresolver.model.Observation;
  * which a long filament's tip may stay for a while, too; fits know them to a tenth.
  */
 public final class StillerEnd {
+
+	private static final String WHY = "Doubtful: the end that was taken for the fixed one moves as much as the other, so which one it is is a guess; tell fixed_end.";
 
 	private StillerEnd() {
 	}
@@ -43,6 +47,27 @@ public final class StillerEnd {
 		return loose > TrackTuning.STILL_END && held < TrackTuning.HELD_SHARE * loose
 			? Optional.of(tip)
 			: Optional.empty();
+	}
+
+	/**
+	 * Takes the confidence off all frames if nothing tells which end is held. O(frames log frames).
+	 *
+	 * @param found one filament in all frames, what was taken for the fixed end first
+	 * @return the same contours, none of which is believed if that end moves like the other
+	 */
+	public static List<Observation> doubted(final List<Observation> found) {
+		final List<Polyline> contours = found.stream().flatMap(o -> o.contour().stream()).toList();
+		final double start = step(contours, Polyline::first), tip = step(contours, Polyline::last);
+		return start > TrackTuning.LEAST_MOTION && start > TrackTuning.RESTLESS * tip
+			? found.stream().map(o -> o.doubted(TrackTuning.TURNED, WHY)).toList()
+			: found;
+	}
+
+	/** Median step of an end from contour to contour. */
+	private static double step(final List<Polyline> contours, final Function<Polyline, Point> end) {
+		return RobustStatistics.median(IntStream.range(1, contours.size())
+			.mapToDouble(t -> end.apply(contours.get(t - 1)).distanceTo(end.apply(contours.get(t))))
+			.toArray(), 0);
 	}
 
 	private static double spread(final List<Point> places, final Point middle) {

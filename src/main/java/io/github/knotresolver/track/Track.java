@@ -27,6 +27,14 @@ public record Track(Point fixedEnd, double length, double lengthError, List<Obse
 	}
 
 	/**
+	 * @param others one for each of its frames, in the same order
+	 * @return the same with these
+	 */
+	public Track withFrames(final List<Observation> others) {
+		return new Track(fixedEnd, length, lengthError, others, notes);
+	}
+
+	/**
 	 * @param estimate length and fixed end that the fits were made with
 	 * @param contours fitted ones by 1-based frame
 	 * @return the same with these, where the user did not give the contour

@@ -237,6 +237,34 @@ final class TrackTuning {
 	static final double TURNED = 0.5;
 
 	/**
+	 * [median distances] A contour begins elsewhere if it begins so much farther from the middle of all
+	 * starts than half of them do, and more than a line's width. Why: of a clamp that jitters one in
+	 * thirty million does.
+	 */
+	static final double STRAY = 5;
+
+	/** [frames] ... of so many. Why: most of fewer may be wrong together. */
+	static final int STRAY_FEWEST = 5;
+
+	/**
+	 * [share of the length] Near its start a filament goes where the clamp does. Why: farther on it
+	 * beats.
+	 */
+	static final double NEAR_START = 0.25;
+
+	/**
+	 * [ratio] It was carried there if it went another way by less than this part. Why: a stage takes
+	 * all of it along.
+	 */
+	static final double CARRIED = 0.3;
+
+	/**
+	 * [ratio] Which end is held is a guess if the one that is taken for it moves more than this part of
+	 * what the other one does. Why: on stages that jitter by 1 px a frame it is below 0.5.
+	 */
+	static final double RESTLESS = 0.7;
+
+	/**
 	 * [line widths] A contour of which no more is in the picture is not given. Why: it cannot be told
 	 * from a spot, and its course not at all.
 	 */
@@ -589,6 +617,33 @@ final class TrackTuning {
 
 	/** [line widths] The last so many of a contour are its tip. Why: on a ring it turns by less. */
 	static final double TAIL = 4;
+
+	/** [line widths] The tip of a wide line is as long. Why: a shorter one may only cross the other. */
+	static final double BESIDE_TIP = 3;
+
+	/** [share] ... of which more than this is beside the other part. Why: one end of it may part. */
+	static final double BESIDE_SHARE = 0.8;
+
+	/**
+	 * [line widths] A part of the filament that comes so much before a point is another one. Why: within
+	 * this a line does not turn back.
+	 */
+	static final double BESIDE_APART = 3;
+
+	/**
+	 * [tip's brightness] In less noise of a pixel two lines side by side are told apart. Why: of random
+	 * movies with lines this wide, none of 47 contours was wrong below, 11 of 35 above.
+	 */
+	static final double BESIDE_NOISE = 0.08;
+
+	/**
+	 * [ratio] Half of a width must be this part of what is wrong. Why: the rest of the contour is off by
+	 * some, too.
+	 */
+	static final double BESIDE_WRONG = 0.9;
+
+	/** [px of the movie] A contour is wrong if it is off by this. Why: it is what confidences are of. */
+	static final double WRONG = 5;
 
 	/**
 	 * [px] Starts nearer to each other than this on average are fitted once. Why: a fit moves them

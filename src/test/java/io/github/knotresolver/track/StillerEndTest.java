@@ -63,4 +63,31 @@ class StillerEndTest {
 			stiller(t -> Drawn.line(20 + 0.5 * t, 50, 60 + 0.5 * t, 40 + t, 100 + 0.6 * t, 50))
 				.isEmpty());
 	}
+
+	/** In a few frames both ends may move alike: then it is not known which one is held. */
+	@Test
+	void whereTheFixedEndMovesLikeTheOtherNoContourIsBelieved() {
+		final List<Observation> restless = found(
+			t -> Drawn.line(100 - 1.6 * t, 50, 60, 40, 20 + t, 50));
+		for (final Observation o : StillerEnd.doubted(restless)) {
+			assertEquals(0.5, o.confidence());
+			assertTrue(o.reason().contains("which one it is is a guess"));
+		}
+		final List<Observation> held = found(
+			t -> Drawn.line(20, 50 + 0.05 * (t % 2), 60, 40 + t, 100 - t, 50)),
+			jittering = found(t -> Drawn.line(20 + t % 2, 50, 60, 40, 100 - 2 * t, 50)),
+			still = found(t -> Drawn.line(20 + 0.2 * (t % 2), 50, 60, 40, 100, 50));
+		assertEquals(held, StillerEnd.doubted(held));
+		assertEquals(jittering, StillerEnd.doubted(jittering));
+		assertEquals(still, StillerEnd.doubted(still));
+		assertTrue(StillerEnd.doubted(List.of()).isEmpty());
+	}
+
+	private static List<Observation> found(final IntFunction<Polyline> contours) {
+		final List<Observation> found = new ArrayList<>();
+		for (int t = 0; t < 4; t++)
+			found.add(new Observation(t + 1, FrameStatus.RESOLVED, "",
+				Optional.of(contours.apply(t)), 0, 1, 0, 1));
+		return found;
+	}
 }
