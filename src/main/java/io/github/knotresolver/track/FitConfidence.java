@@ -65,7 +65,7 @@ record FitConfidence(double usualMisfit) {
 	}
 
 	/** Whether a contour runs along the lines of another one, but visibly in another order. */
-	private static boolean isExchanged(final Chain other, final Chain chosen, final double width) {
+	static boolean isExchanged(final Chain other, final Chain chosen, final double width) {
 		return other.farthest(chosen) > TrackTuning.EXCHANGED_APART * width
 			&& isAlong(other, chosen, TrackTuning.EXCHANGED_ALONG * width)
 			&& isAlong(chosen, other, TrackTuning.EXCHANGED_ALONG * width);

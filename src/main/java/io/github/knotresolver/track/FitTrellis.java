@@ -76,14 +76,17 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 			.upperMedian(all.stream().mapToDouble(l -> pattern(l)).toArray(), 0);
 		final FitConfidence confidence = FitConfidence
 			.learn(seen.stream().map(s -> s.map(FitLook::quality)).toList());
+		final boolean[] guessed = ExchangedOrder.guessed(path, pools,
+			course.estimate().model().sigma());
 		final List<Observation> tracked = new ArrayList<>();
 		final List<Optional<FitEvidence>> evidence = new ArrayList<>();
 		for (int t = 0; t < pools.size(); t++) {
 			final int frame = t;
 			evidence.add(seen.get(t).filter(s -> isTrusted(s.quality())).map(
 				s -> evidence(frame, path, s, new Rest(confidence, motion, elsewhere, pattern))));
-			tracked.add(tracked(t, path, seen.get(t).map(FitLook::quality), evidence.get(t),
-				Optional.ofNullable(said.get(t))));
+			final Observation here = tracked(t, path, seen.get(t).map(FitLook::quality),
+				evidence.get(t), Optional.ofNullable(said.get(t)));
+			tracked.add(guessed[t] ? here.doubted(TrackTuning.GUESSED, ExchangedOrder.WHY) : here);
 		}
 		return new Solved(tracked, evidence,
 			IntStream.range(0, pools.size())
