@@ -22,7 +22,8 @@ import java.util.Locale;
  * @param jump logarithm of how much farther than usual it moved from or to a neighbour in time
  * @param faint how strong the noise of a pixel is beside a strand, beyond what is harmless
  * @param folded how far the contour turns back on itself within the width of a line
- * @param elsewhere in how many of the movie's frames contours do not end where their light does
+ * @param elsewhere in how many of the movie's frames contours do not end where their light does; as
+ *          bad as can be if in most they leave out something
  * @param worse how much stronger the pattern is than in most of the movie's frames, where it is
  *          beyond noise
  */
@@ -73,7 +74,7 @@ public record FitEvidence(double rival, double misfit, double pattern, double da
 		"the contour moved much farther than usual since the frame before or to the next",
 		"noise is so strong that a wrong contour may look right",
 		"the contour turns back within the width of a line, as it does to explain a spot",
-		"in other frames the contour does not end where its light does, so its length or an end is not right",
+		"in other frames the contour does not end where its light does or leaves out a line, so its length, an end or its course is not right",
 		"light around the contour differs more from what is expected than in other frames"};
 
 	/** @return the figures in the order of their names, none negative, none above what matters */

@@ -50,4 +50,21 @@ record FitLook(FitQuality quality, Residue residue, double beyond, double missin
 		return Math.max(0,
 			(share - TrackTuning.SELDOM_ENDS) / (TrackTuning.OFTEN_ENDS - TrackTuning.SELDOM_ENDS));
 	}
+
+	/** Whether hardly any line or skeleton near the contour is left out. */
+	private boolean explainsItsLines() {
+		return Math.max(residue.unexplained(), uncovered) <= TrackTuning.LEFT_OUT;
+	}
+
+	/**
+	 * Whether contours leave out something in most frames, be it a line near them or light at an end,
+	 * as a figure: one length, or one way through the movie, is not right then in any frame.
+	 *
+	 * @param looks one for each frame that has one
+	 * @return 1 if so, otherwise 0
+	 */
+	static double leavesOut(final List<FitLook> looks) {
+		return looks.stream().filter(l -> !l.endsWithLight() || !l.explainsItsLines())
+			.count() > TrackTuning.MOSTLY * looks.size() ? 1 : 0;
+	}
 }

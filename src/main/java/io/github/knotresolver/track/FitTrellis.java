@@ -71,7 +71,8 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 				: Optional.of(looks.apply(t, chosen(t, path))));
 		}
 		final List<FitLook> all = seen.stream().flatMap(Optional::stream).toList();
-		final double elsewhere = FitLook.elsewhere(all);
+		final double elsewhere = FitLook.elsewhere(all),
+			astray = Math.max(elsewhere, FitLook.leavesOut(all));
 		final double pattern = RobustStatistics
 			.upperMedian(all.stream().mapToDouble(l -> pattern(l)).toArray(), 0);
 		final FitConfidence confidence = FitConfidence
@@ -82,8 +83,8 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 		final List<Optional<FitEvidence>> evidence = new ArrayList<>();
 		for (int t = 0; t < pools.size(); t++) {
 			final int frame = t;
-			evidence.add(seen.get(t).filter(s -> isTrusted(s.quality())).map(
-				s -> evidence(frame, path, s, new Rest(confidence, motion, elsewhere, pattern))));
+			evidence.add(seen.get(t).filter(s -> isTrusted(s.quality()))
+				.map(s -> evidence(frame, path, s, new Rest(confidence, motion, astray, pattern))));
 			final Observation here = tracked(t, path, seen.get(t).map(FitLook::quality),
 				evidence.get(t), Optional.ofNullable(said.get(t)));
 			tracked.add(guessed[t] ? here.doubted(TrackTuning.GUESSED, ExchangedOrder.WHY) : here);
@@ -210,7 +211,7 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 	}
 
 	/** What the whole movie says. */
-	private record Rest(FitConfidence confidence, MotionPrice motion, double elsewhere,
+	private record Rest(FitConfidence confidence, MotionPrice motion, double astray,
 		double pattern) {
 	}
 
@@ -222,7 +223,7 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 			look.uncovered(), jump(t, path, rest.motion), FitEvidence.faint(course.noise()),
 			FitEvidence.folded(SharpestTurn.of(chosen(t, path).chain().contour(),
 				course.estimate().model().sigma())),
-			rest.elsewhere, FitEvidence.worse(pattern(look), rest.pattern));
+			rest.astray, FitEvidence.worse(pattern(look), rest.pattern));
 	}
 
 	private static double pattern(final FitLook look) {

@@ -718,6 +718,18 @@ final class TrackTuning {
 	static final double OFTEN_ENDS = 0.3;
 
 	/**
+	 * [share of the length] Lines or skeletons near a contour that are not on it and longer than this
+	 * are left out. Why: it is more than what noise and beads add in most frames.
+	 */
+	static final double LEFT_OUT = 0.05;
+
+	/**
+	 * [share of the frames] Contours that leave out something in more are believed in none. Why: of
+	 * bench/conditions.py only speckles and 5 photons do as much.
+	 */
+	static final double MOSTLY = 0.5;
+
+	/**
 	 * [strands] Noise up to this speaks against no contour. Why: fits hold at a signal-to-noise
 	 * ratio of two.
 	 */

@@ -35,9 +35,28 @@ class FitLookTest {
 		}
 	}
 
+	/** Of ten frames so many that look like this. */
+	private static double leavesOut(final int some, final FitLook like) {
+		return FitLook.leavesOut(
+			IntStream.range(0, 10).mapToObj(t -> t < some ? like : look(0.2, 0.2)).toList());
+	}
+
+	@Test
+	void whatIsLeftOutInMostFramesTellsOfAll() {
+		for (final FitLook like : List.of(look(0.8, 0), look(0, 0.8),
+			new FitLook(new FitQuality(0, 0), new Residue(0.06, 0, 1), 0, 0, 0),
+			new FitLook(new FitQuality(0, 0), new Residue(0, 0, 1), 0, 0, 0.06))) {
+			assertEquals(0, leavesOut(5, like));
+			assertEquals(1, leavesOut(6, like));
+		}
+		assertEquals(0, leavesOut(10,
+			new FitLook(new FitQuality(0, 0), new Residue(0.04, 0.3, 2), 0.3, 0.3, 0.04)));
+	}
+
 	@Test
 	void aMovieWithoutALookSaysNothing() {
 		assertEquals(0, FitLook.elsewhere(Collections.emptyList()));
+		assertEquals(0, FitLook.leavesOut(Collections.emptyList()));
 	}
 
 	@Test
