@@ -2,6 +2,7 @@ package io.github.knotresolver.image;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 
 import io.github.knotresolver.geometry.RobustStatistics;
 
@@ -50,18 +51,35 @@ public final class CrossProfile {
 	 *         the line as it was taken to be; NaN if there is none
 	 */
 	public static double width(final List<double[]> profiles) {
+		return median(profiles).map(p -> width(p, 0.5)).orElse(Double.NaN);
+	}
+
+	/**
+	 * How blunt lines are. That of a Gaussian is 0.46; a line whose light does not add up, or that was
+	 * cut off, has steeper sides.
+	 *
+	 * @param profiles of several frames, of the same appearance; empty ones do not count
+	 * @return the full width at three quarters of the height of their median, by that at a quarter,
+	 *         0..1; NaN if there is none
+	 */
+	public static double bluntness(final List<double[]> profiles) {
+		return median(profiles).map(p -> width(p, 0.75) / width(p, 0.25)).orElse(Double.NaN);
+	}
+
+	private static Optional<double[]> median(final List<double[]> profiles) {
 		final List<double[]> known = profiles.stream().filter(p -> p.length > 0).toList();
 		if (known.isEmpty())
-			return Double.NaN;
+			return Optional.empty();
 		final double[] profile = new double[STEPS + 1];
 		for (int k = 0; k <= STEPS; k++) {
 			final int at = k;
 			profile[k] = RobustStatistics.median(known.stream().mapToDouble(p -> p[at]).toArray());
 		}
-		return width(profile);
+		return Optional.of(profile);
 	}
 
-	private static double width(final double[] profile) {
+	/** The full width at a share of the height. */
+	private static double width(final double[] profile, final double share) {
 		int top = STEPS / 2 - MIDDLE;
 		for (int k = top; k <= STEPS / 2 + MIDDLE; k++)
 			if (profile[k] > profile[top])
@@ -69,19 +87,19 @@ public final class CrossProfile {
 		final double background = (RobustStatistics.median(Arrays.copyOf(profile, OUTER))
 			+ RobustStatistics.median(Arrays.copyOfRange(profile, STEPS + 1 - OUTER, STEPS + 1)))
 			/ 2;
-		final double half = (profile[top] + background) / 2;
-		return side(profile, top, half, 1) + side(profile, top, half, -1);
+		final double height = background + share * (profile[top] - background);
+		return side(profile, top, height, 1) + side(profile, top, height, -1);
 	}
 
-	/** How far it is from the top to half the height, on one side. */
-	private static double side(final double[] profile, final int top, final double half,
+	/** How far it is from the top to a height, on one side. */
+	private static double side(final double[] profile, final int top, final double height,
 		final int step) {
 		int k = top;
-		while (k > 0 && k < STEPS && profile[k] > half)
+		while (k > 0 && k < STEPS && profile[k] > height)
 			k += step;
 		final double before = profile[k - step], rest = k == top || before == profile[k]
 			? 0
-			: (half - profile[k]) / (before - profile[k]);
+			: (height - profile[k]) / (before - profile[k]);
 		return (Math.abs(k - top) - rest) * (offset(1) - offset(0));
 	}
 

@@ -140,9 +140,8 @@ final class ImageTuning {
 	static final double THINNEST_LINE = 0.7;
 
 	/**
-	 * [px] A wide line is binned as far as it stays so wide. Why: a fit takes as long as the square of
-	 * the width; binned to 1, blunt lines whose light does not add up and lines that were cut off,
-	 * which look wider than they are, were lost.
+	 * [px] A wide line is binned until it is about so wide. Why: that samples it well, and a fit takes
+	 * as much longer as the square of the width; much narrower, strands that lie side by side melt.
 	 */
 	static final double COARSE_LINE = 1.4;
 

@@ -33,8 +33,8 @@ public record LineAppearance(Polarity polarity, double sigma, int binning, doubl
 	}
 
 	/**
-	 * A filter as wide as the line, in pictures binned so that the line is 1.4 to 2.8 pixels
-	 * wide (standard deviation), if it is that wide at all.
+	 * A filter as wide as the line, in pictures binned so that the line is about 1.4 pixels wide
+	 * (standard deviation; 1.05 to 2.1), if it is that wide at all.
 	 *
 	 * @param polarity bright or dark
 	 * @param sigma of the line, in the movie's pixels
@@ -42,9 +42,23 @@ public record LineAppearance(Polarity polarity, double sigma, int binning, doubl
 	 */
 	public static LineAppearance of(final Polarity polarity, final double sigma) {
 		final double s = Math.max(sigma, ImageTuning.THINNEST_LINE);
-		final int binning = Math.max(1, (int) (s / ImageTuning.COARSE_LINE));
-		return new LineAppearance(polarity, s, binning,
-			Math.max(ImageTuning.NARROWEST_FILTER, s / binning), Double.NaN,
+		return binned(polarity, s, (int) Math.rint(s / ImageTuning.COARSE_LINE));
+	}
+
+	/**
+	 * @return the same lines in pictures that are binned less, so that no line is thinner there than
+	 *         1.4 pixels, as if nothing else had been measured: where focus wanders, sharp frames are
+	 *         to lose nothing, and blunt lines look wider than they are
+	 */
+	public LineAppearance finer() {
+		return binned(polarity, sigma, (int) (sigma / ImageTuning.COARSE_LINE));
+	}
+
+	private static LineAppearance binned(final Polarity polarity, final double sigma,
+		final int edge) {
+		final int binning = Math.max(1, edge);
+		return new LineAppearance(polarity, sigma, binning,
+			Math.max(ImageTuning.NARROWEST_FILTER, sigma / binning), Double.NaN,
 			ImageTuning.USUAL_CLARITY);
 	}
 

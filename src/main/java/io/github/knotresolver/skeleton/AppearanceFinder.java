@@ -135,8 +135,17 @@ public final class AppearanceFinder {
 		LineAppearance appearance = withWidth(rough, first);
 		for (int round = 1; round < SkeletonTuning.WIDTH_ROUNDS; round++)
 			appearance = withWidth(appearance, looks(sample, appearance));
-		final double[] clarities = looks(sample, appearance).stream().mapToDouble(Look::clarity)
-			.filter(c -> c > 0).toArray();
+		List<Look> last = looks(sample, appearance);
+		final LineAppearance finer = appearance.finer();
+		if (finer.binning() != appearance.binning()) {
+			final List<Look> closer = looks(sample, finer);
+			if (focusWanders(last) || isBlunt(closer)) {
+				appearance = finer;
+				last = closer;
+			}
+		}
+		final double[] clarities = last.stream().mapToDouble(Look::clarity).filter(c -> c > 0)
+			.toArray();
 		if (clarities.length == 0)
 			return appearance;
 		appearance = appearance.asFineAsNoiseAllows(RobustStatistics.median(clarities, 0));
@@ -145,6 +154,22 @@ public final class AppearanceFinder {
 		return strengths.length == 0
 			? appearance
 			: appearance.withReference(RobustStatistics.median(strengths));
+	}
+
+	/** Whether lines are cut off, or their light does not add up: then they look wider than they are. */
+	private static boolean isBlunt(final List<Look> looks) {
+		return CrossProfile
+			.bluntness(looks.stream().map(Look::profile).toList()) > SkeletonTuning.BLUNT;
+	}
+
+	/** Whether lines are much wider in some frames than in others; of many the extremes may be noise. */
+	private static boolean focusWanders(final List<Look> looks) {
+		final double[] widths = looks.stream()
+			.mapToDouble(l -> CrossProfile.width(List.of(l.profile))).filter(Double::isFinite)
+			.sorted().toArray();
+		final int extreme = widths.length / SkeletonTuning.MANY_LOOKS;
+		return widths.length > 0
+			&& widths[widths.length - 1 - extreme] > SkeletonTuning.WANDERS * widths[extreme];
 	}
 
 	private static LineAppearance withWidth(final LineAppearance before, final List<Look> looks) {

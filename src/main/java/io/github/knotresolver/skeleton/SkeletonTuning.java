@@ -187,6 +187,22 @@ final class SkeletonTuning {
 	 */
 	static final double INDEPENDENT = 3;
 
+	/**
+	 * [ratio] Focus wanders if lines are so much wider in some of the frames that are looked at than
+	 * in others. Why: noise and beads change them by a fifth.
+	 */
+	static final double WANDERS = 1.3;
+
+	/** [frames] Of so many the widest and the narrowest do not count. Why: beads make one of eight wide. */
+	static final int MANY_LOOKS = 5;
+
+	/**
+	 * [ratio] Lines whose width high up is more of that low down are blunt, and are not binned as if
+	 * they were as wide as they look. Why: that of a Gaussian is 0.46, up to 0.5 in noise; of lines
+	 * whose light does not add up, or that were cut off, it is 0.55 and more.
+	 */
+	static final double BLUNT = 0.52;
+
 	private SkeletonTuning() {
 	}
 }
