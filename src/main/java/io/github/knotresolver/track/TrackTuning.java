@@ -976,6 +976,12 @@ final class TrackTuning {
 	static final double EXCHANGED_BETTER = 0.4;
 
 	/**
+	 * [share of the frames] ... and the order is a guess in a row of frames if so many are. Why: in noise
+	 * some of a long row are by chance.
+	 */
+	static final double EXCHANGED_OFTEN = 0.25;
+
+	/**
 	 * [line widths] ... and they differ if their points at equal arc length lie so far apart. Why:
 	 * strands of a wide line are told apart by less than its width.
 	 */

@@ -32,10 +32,16 @@ class ExchangedOrderTest {
 	}
 
 	@Test
-	void oneFrameThatIsCheaperInAnotherOrderDoubtsAllThatFollowEachOther() {
+	void framesThatAreCheaperInAnotherOrderDoubtAllThatFollowEachOther() {
 		assertArrayEquals(new boolean[]{false, true, true, true, false, false},
 			guessed(touching(), NONE, 2, -1, 3, NONE, 1));
 		assertArrayEquals(new boolean[]{false, false, true}, guessed(touching(), 1, NONE, -0.6));
+	}
+
+	@Test
+	void oneFrameOfALongRowIsChance() {
+		assertArrayEquals(new boolean[5], guessed(touching(), 1, -3, 1, 1, 1));
+		assertArrayEquals(new boolean[]{true, true, true, true}, guessed(touching(), 1, -3, 1, 1));
 	}
 
 	@Test
