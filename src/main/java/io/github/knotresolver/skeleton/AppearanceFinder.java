@@ -140,8 +140,8 @@ public final class AppearanceFinder {
 		if (finer.binning() != appearance.binning()) {
 			final List<Look> closer = looks(sample, finer);
 			if (focusWanders(last) || isBlunt(closer)) {
-				appearance = withWidth(finer, closer).finer();
-				last = looks(sample, appearance);
+				appearance = finer;
+				last = closer;
 			}
 		}
 		final double[] clarities = last.stream().mapToDouble(Look::clarity).filter(c -> c > 0)

@@ -72,7 +72,10 @@ record FitTrellis(List<FrameView> frames, List<NormalizedFrame> light, FilamentC
 		}
 		final List<FitLook> all = seen.stream().flatMap(Optional::stream).toList();
 		final double elsewhere = FitLook.elsewhere(all),
-			astray = Math.max(elsewhere, FitLook.leavesOut(all));
+			astray = light.stream().anyMatch(NormalizedFrame::isClipped)
+				// Beside lines that were cut off it is not known what light is theirs.
+				? elsewhere
+				: Math.max(elsewhere, FitLook.leavesOut(all));
 		final double pattern = RobustStatistics
 			.upperMedian(all.stream().mapToDouble(l -> pattern(l)).toArray(), 0);
 		final FitConfidence confidence = FitConfidence
