@@ -4,9 +4,10 @@ import net.imglib2.img.Img;
 import net.imglib2.img.array.ArrayImgs;
 import net.imglib2.type.logic.BitType;
 
+import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 
-/** One-pixel lines along curves, for tests that need larger skeletons than one draws. */
+/** Curves, and one-pixel lines along them, for tests that need larger ones than one draws. */
 public final class Drawn {
 
 	private Drawn() {
@@ -21,6 +22,22 @@ public final class Drawn {
 		for (int i = 0; i < x.length; i++) {
 			x[i] = xy[2 * i];
 			y[i] = xy[2 * i + 1];
+		}
+		return Polyline.of(x, y);
+	}
+
+	/**
+	 * @param start where it begins
+	 * @param curl its curvature, in radians per pixel
+	 * @return 60 px of a filament that beats, from its clamp on
+	 */
+	public static Polyline arc(final Point start, final double curl) {
+		final double[] x = new double[61], y = new double[61];
+		x[0] = start.x();
+		y[0] = start.y();
+		for (int i = 1; i < x.length; i++) {
+			x[i] = x[i - 1] + Math.cos(curl * i);
+			y[i] = y[i - 1] + Math.sin(curl * i);
 		}
 		return Polyline.of(x, y);
 	}

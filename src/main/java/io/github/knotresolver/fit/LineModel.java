@@ -90,10 +90,10 @@ public record LineModel(Kind kind, double sigma, double power, double[] brightne
 
 	/** @return whether an end of it is so dim that where it ends is hardly seen */
 	public boolean hasDimEnd() {
-		return Math.min(brightness[0], brightness[brightness.length - 1]) < FitTuning.DIM_END;
+		return Math.min(brightness[0], atTip()) < FitTuning.DIM_END;
 	}
 
-	/** @return brightness of its tip, in strands' */
+	/** @return brightness of its tip, in strands */
 	public double atTip() {
 		return brightness[brightness.length - 1];
 	}

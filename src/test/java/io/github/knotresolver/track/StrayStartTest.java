@@ -11,6 +11,7 @@ import java.util.function.IntFunction;
 
 import org.junit.jupiter.api.Test;
 
+import io.github.knotresolver.Drawn;
 import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.model.FrameStatus;
@@ -80,18 +81,9 @@ class StrayStartTest {
 	/** A beating arc whose clamp is at a place in each frame. */
 	private static List<Observation> frames(final int count, final IntFunction<Point> clamp) {
 		final List<Observation> frames = new ArrayList<>();
-		for (int t = 0; t < count; t++) {
-			final double[] x = new double[61], y = new double[61];
-			x[0] = clamp.apply(t).x();
-			y[0] = clamp.apply(t).y();
-			for (int i = 1; i <= 60; i++) {
-				final double angle = 0.02 * i * Math.sin(0.7 * t);
-				x[i] = x[i - 1] + Math.cos(angle);
-				y[i] = y[i - 1] + Math.sin(angle);
-			}
+		for (int t = 0; t < count; t++)
 			frames.add(new Observation(t + 1, FrameStatus.RESOLVED, "",
-				Optional.of(Polyline.of(x, y)), 0, 1, 0, 0.99));
-		}
+				Optional.of(Drawn.arc(clamp.apply(t), 0.02 * Math.sin(0.7 * t))), 0, 1, 0, 0.99));
 		return frames;
 	}
 }

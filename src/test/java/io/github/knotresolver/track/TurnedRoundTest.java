@@ -9,7 +9,8 @@ import java.util.Optional;
 
 import org.junit.jupiter.api.Test;
 
-import io.github.knotresolver.geometry.Polyline;
+import io.github.knotresolver.Drawn;
+import io.github.knotresolver.geometry.Point;
 import io.github.knotresolver.model.FrameStatus;
 import io.github.knotresolver.model.Observation;
 
@@ -56,16 +57,9 @@ class TurnedRoundTest {
 	/** A clamped arc whose tip swings by its whole length. */
 	private static List<Observation> beating() {
 		final List<Observation> frames = new ArrayList<>();
-		for (int t = 0; t < FRAMES; t++) {
-			final double[] x = new double[61], y = new double[61];
-			for (int i = 1; i <= 60; i++) {
-				final double angle = 0.03 * i * Math.sin(0.7 * t);
-				x[i] = x[i - 1] + Math.cos(angle);
-				y[i] = y[i - 1] + Math.sin(angle);
-			}
+		for (int t = 0; t < FRAMES; t++)
 			frames.add(new Observation(t + 1, FrameStatus.RESOLVED, "",
-				Optional.of(Polyline.of(x, y)), 0, 1, 0, 0.99));
-		}
+				Optional.of(Drawn.arc(new Point(0, 0), 0.03 * Math.sin(0.7 * t))), 0, 1, 0, 0.99));
 		return frames;
 	}
 }
