@@ -2,6 +2,7 @@
 package io.github.knotresolver.track;
 
 import java.util.List;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.geometry.Point;
@@ -60,21 +61,18 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid, boolean roam
 	 */
 	static FilamentEnds of(final List<Chain> chains, final AnchorChoice anchor) {
 		final int n = chains.size();
-		final double[] first = new double[Math.max(0, n - 1)], last = new double[first.length];
 		double slid = 0;
-		for (int t = 0; t + 1 < n; t++) {
-			final Polyline a = chains.get(t).polyline(), b = chains.get(t + 1).polyline();
-			first[t] = a.first().distanceTo(b.first());
-			last[t] = a.last().distanceTo(b.last());
+		for (int t = 0; t + 1 < n; t++)
 			slid += chains.get(t).slide(chains.get(t + 1));
-		}
-		final double f = median(first), l = median(last);
+		final double f = step(chains, false, 1), l = step(chains, true, 1);
 		final double less = Math.min(f, l), more = Math.max(f, l);
 		final boolean stillIsLast = l < f;
 		final double held = spread(chains, stillIsLast), loose = spread(chains, !stillIsLast);
+		final int lag = lag(n - 1, more);
 		final boolean clamped = switch (anchor) {
-			case AUTO ->
-				less < TrackTuning.HELD_SHARE * more && (held < TrackTuning.HELD_STAYS * loose
+			case AUTO -> step(chains, stillIsLast, lag) < TrackTuning.HELD_SHARE
+				* step(chains, !stillIsLast, lag)
+				&& (held < TrackTuning.HELD_STAYS * loose
 					|| less < TrackTuning.HELD_STILL && held < Math.max(TrackTuning.HELD_PLACE,
 						TrackTuning.HELD_PLACE_SHARE * loose));
 			case CLAMPED -> true;
@@ -101,12 +99,28 @@ record FilamentEnds(boolean clamped, boolean reversed, double slid, boolean roam
 		final int steps = chains.size() - 1;
 		if (steps < 1 || slid == 0)
 			return false;
-		final int lag = (int) Math.min(steps,
-			Math.ceil(TrackTuning.GLIDES_FAR * steps / Math.abs(slid)));
+		final int lag = lag(steps, Math.abs(slid) / steps);
 		final double[] off = new double[steps + 1 - lag];
 		for (int t = 0; t < off.length; t++)
 			off[t] = offTrack(chains.get(t).polyline(), chains.get(t + lag).polyline());
 		return median(off) < TrackTuning.OFF_TRACK * lag * Math.abs(slid) / steps;
+	}
+
+	/**
+	 * After how many steps a motion is no longer drowned in noise.
+	 *
+	 * @param most how many steps there are
+	 * @param step how far one goes, in pixels
+	 */
+	private static int lag(final int most, final double step) {
+		return (int) Math.max(1, Math.min(most, Math.ceil(TrackTuning.GLIDES_FAR / step)));
+	}
+
+	/** How far an end goes in so many frames, in pixels: median. */
+	private static double step(final List<Chain> chains, final boolean last, final int lag) {
+		final List<Point> at = ends(chains, last);
+		return median(IntStream.range(0, Math.max(0, at.size() - lag))
+			.mapToDouble(t -> at.get(t).distanceTo(at.get(t + lag))).toArray());
 	}
 
 	/** Median distance of the nodes of a later shape from an earlier one. */

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Random;
 
 import org.junit.jupiter.api.Test;
 
@@ -73,6 +74,26 @@ class FilamentEndsTest {
 			chains.add(Chain.inScene(Polyline.of(new double[]{20, 30 - t, 40, 160 - 13 * t},
 				new double[]{y, 50 - 6 * t, 50, 50}), 160));
 		}
+		final FilamentEnds ends = FilamentEnds.of(chains, AnchorChoice.AUTO);
+		assertTrue(ends.clamped());
+		assertFalse(ends.reversed());
+	}
+
+	/** Its tip is drawn in by less from frame to frame than noise moves either end. */
+	@Test
+	void anEndThatStaysIsClampedThoughTheOtherOneIsSlow() {
+		final Random random = new Random(6);
+		final List<Chain> chains = new ArrayList<>();
+		for (int t = 0; t < 40; t++)
+			chains
+				.add(
+					Chain
+						.inScene(
+							Polyline.of(
+								new double[]{20 + 0.6 * random.nextGaussian(), 30 - 0.2 * t, 40,
+									160 - 0.8 * t + 0.6 * random.nextGaussian()},
+								new double[]{50 + 0.6 * random.nextGaussian(), 50 - t, 50, 50}),
+							160));
 		final FilamentEnds ends = FilamentEnds.of(chains, AnchorChoice.AUTO);
 		assertTrue(ends.clamped());
 		assertFalse(ends.reversed());
