@@ -27,7 +27,8 @@ final class StrayStart {
 	}
 
 	/**
-	 * Takes the confidence off contours that begin elsewhere. O(frames log frames + frames * length).
+	 * Takes the confidence off contours that begin elsewhere; off all, if that many do that which of
+	 * the places is the clamp's is a guess. O(frames log frames + frames * length).
 	 *
 	 * @param frames of one clamped filament, in order of time
 	 * @param sigma of the line in pixels
@@ -44,10 +45,12 @@ final class StrayStart {
 		final double[] off = starts.stream().mapToDouble(middle::distanceTo).toArray();
 		final double usual = Math.max(LineAppearance.FULL_WIDTH * sigma,
 			TrackTuning.STRAY * RobustStatistics.median(off));
+		final int[] stray = IntStream.range(0, seen.length)
+			.filter(k -> off[k] > usual && !isCarried(frames, seen, off, usual, k))
+			.map(k -> seen[k]).toArray();
 		final List<Observation> doubted = new ArrayList<>(frames);
-		for (int k = 0; k < seen.length; k++)
-			if (off[k] > usual && !isCarried(frames, seen, off, usual, k))
-				doubted.set(seen[k], frames.get(seen[k]).doubted(TrackTuning.TURNED, WHY));
+		for (final int t : stray.length < TrackTuning.STRAY_OFTEN * seen.length ? stray : seen)
+			doubted.set(t, frames.get(t).doubted(TrackTuning.TURNED, WHY));
 		return doubted;
 	}
 

@@ -247,6 +247,12 @@ final class TrackTuning {
 	static final int STRAY_FEWEST = 5;
 
 	/**
+	 * [share] Where so many contours begin elsewhere, all are doubted. Why: of two places that are
+	 * as usual, either may be a speck.
+	 */
+	static final double STRAY_OFTEN = 0.25;
+
+	/**
 	 * [share of the length] Near its start a filament goes where the clamp does. Why: farther on it
 	 * beats.
 	 */

@@ -36,6 +36,19 @@ class StrayStartTest {
 		}
 	}
 
+	/** A speck that a third of the contours run on to: or it is the clamp, and two thirds are short. */
+	@Test
+	void whichOfTwoPlacesIsTheClampIsAGuess() {
+		final List<Observation> frames = frames(20, t -> new Point(0, 0));
+		for (int t = 0; t < 7; t++)
+			frames.set(t, frames.get(t)
+				.withContour(beginningAt(frames.get(t).contour().orElseThrow(), new Point(-5, 8))));
+		StrayStart.doubted(frames, SIGMA).forEach(f -> {
+			assertEquals(0.5, f.confidence());
+			assertTrue(f.reason().contains("clamped in other frames"));
+		});
+	}
+
 	@Test
 	void aLineIsWiderThanWhatItsStartMayStray() {
 		final List<Observation> frames = frames(20, t -> new Point(0, 0));
