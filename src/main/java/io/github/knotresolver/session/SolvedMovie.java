@@ -87,8 +87,9 @@ final class SolvedMovie {
 			? scene(scenes, settings)
 			: scene;
 		// What was put together from several explains their light, but not well.
-		final boolean isOne = many.isEmpty() || one.isPresent() && (!doubtful || scene.isEmpty())
-			&& scenes.isOne(one.get().frames(), many.get());
+		final boolean isOne = many.isEmpty()
+			|| one.isPresent() && (!doubtful || scene.isEmpty() || isDoubtful(scene.get()))
+				&& scenes.isOne(one.get().frames(), many.get());
 		return isOne
 			? new SolvedMovie(movie, prepared, still.lines(), Optional.empty(), Optional.of(single))
 			: new SolvedMovie(movie, prepared, still.lines(), many, Optional.empty());
@@ -126,11 +127,16 @@ final class SolvedMovie {
 					.flatMap(end -> scenes.freeUnder(end, settings.anchor()));
 	}
 
-	/** Whether several filaments may be one that lies on itself. */
+	/** Whether several filaments may be one that lies on itself, or none of them what it seems. */
 	private static boolean mayBeOne(final SceneTracks scene, final Settings settings,
 		final PreparedMovie prepared) {
-		return settings.anchor() != AnchorChoice.FREE && scene.filaments().size() > 1
-			&& settings.fitsTrails() && SingleFilament.isOneObject(prepared.frames());
+		return settings.anchor() != AnchorChoice.FREE && settings.fitsTrails() && (isDoubtful(scene)
+			|| scene.filaments().size() > 1 && SingleFilament.isOneObject(prepared.frames()));
+	}
+
+	private static boolean isDoubtful(final SceneTracks scene) {
+		return Verdict
+			.isDoubtful(scene.filaments().stream().flatMap(f -> f.frames().stream()).toList());
 	}
 
 	private static FrameResolver single(final Movie movie, final PreparedMovie prepared,
