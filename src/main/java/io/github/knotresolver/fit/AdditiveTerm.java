@@ -137,7 +137,8 @@ final class AdditiveTerm implements ImageTerm {
 			Arrays.fill(head, -1);
 		}
 		for (int i = 0; i < links && part.isSomewhere(); i++)
-			visitLink(i, x[i], y[i], x[i + 1], y[i + 1], keep);
+			if (keep || brightness[i] != 0)
+				visitLink(i, x[i], y[i], x[i + 1], y[i + 1], keep);
 	}
 
 	/** Takes off what was drawn last. */

@@ -12,6 +12,8 @@ import org.apache.commons.math3.linear.CholeskyDecomposition;
 
 import io.github.knotresolver.fit.LineEstimator.Example;
 import io.github.knotresolver.fit.LineEstimator.LineEstimate;
+import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
 
 /**
  * How bright the filament is along its length, relative to its mean: a dim tip is still
@@ -40,6 +42,18 @@ final class BrightnessProfile {
 	 */
 	static double[] estimate(final List<Example> examples, final LineEstimate line) {
 		return new BrightnessProfile(examples, line).estimate();
+	}
+
+	/**
+	 * How much longer a filament is than curves which are all as long. How bright its end is and where
+	 * it is are found together: a dim end that is taken for brighter than it is lies before it.
+	 *
+	 * @param examples frames and curves
+	 * @param line the line, which adds up
+	 * @return to first order, in pixels; negative if it is shorter
+	 */
+	static double missingAtTip(final List<Example> examples, final LineEstimate line) {
+		return new BrightnessProfile(examples, line).missingAtTip();
 	}
 
 	/**
@@ -90,17 +104,13 @@ final class BrightnessProfile {
 	private double[] estimate() {
 		final double weight = FitTuning.PROFILE_HOLD * examples.size();
 		final double[] even = evenKnots();
-		final Normal held = new Normal(even);
+		final Normal held = new Normal(even, false);
 		held.hold(weight);
 		final boolean varies = varies(held.solved());
 		final double[] knots = line.model().kind() == LineModel.Kind.ADDITIVE
 			? withEnds(even)
 			: even;
-		final Normal straight = new Normal(knots);
-		straight.hold(FitTuning.PROFILE_PULL * weight);
-		straight.holdStraight(even, weight,
-			Math.min(1, line.residual() / FitTuning.END_MISFIT) * weight);
-		final double[] profile = straight.solved();
+		final double[] profile = heldStraight(even, knots, false);
 		if (!varies && profile[0] > FitTuning.DIM_END
 			&& profile[profile.length - 1] > FitTuning.DIM_END)
 			return new double[]{1};
@@ -108,6 +118,22 @@ final class BrightnessProfile {
 		for (int i = 0; i < sampled.length; i++)
 			sampled[i] = at((double) i / (sampled.length - 1), knots, profile);
 		return sampled;
+	}
+
+	private double[] heldStraight(final double[] even, final double[] knots,
+		final boolean withTip) {
+		final double weight = FitTuning.PROFILE_HOLD * examples.size();
+		final Normal straight = new Normal(knots, withTip);
+		straight.hold(FitTuning.PROFILE_PULL * weight);
+		straight.holdStraight(even, weight,
+			Math.min(1, line.residual() / FitTuning.END_MISFIT) * weight);
+		return straight.solved();
+	}
+
+	private double missingAtTip() {
+		final double[] even = evenKnots(), knots = withEnds(even);
+		final double[] profile = heldStraight(even, knots, true);
+		return profile[knots.length] / limited(profile[knots.length - 1]);
 	}
 
 	/** Places of knots at equal spacing, as shares of the length. */
@@ -155,16 +181,17 @@ final class BrightnessProfile {
 		private final double[][] matrix;
 		private final double[] right;
 
-		Normal(final double[] knots) {
+		Normal(final double[] knots, final boolean withTip) {
 			this.knots = knots;
-			matrix = new double[knots.length][knots.length];
-			right = new double[knots.length];
+			final int unknown = knots.length + (withTip ? 1 : 0);
+			matrix = new double[unknown][unknown];
+			right = new double[unknown];
 			examples.forEach(this::add);
 		}
 
 		/** Draws all knots towards 1. */
 		void hold(final double weight) {
-			for (int k = 0; k < right.length; k++) {
+			for (int k = 0; k < knots.length; k++) {
 				matrix[k][k] += weight;
 				right[k] += weight;
 			}
@@ -178,7 +205,7 @@ final class BrightnessProfile {
 		 * @param end weight of the others
 		 */
 		void holdStraight(final double[] even, final double weight, final double end) {
-			for (int k = 1; k + 1 < matrix.length; k++) {
+			for (int k = 1; k + 1 < knots.length; k++) {
 				final double hold = Arrays.binarySearch(even, knots[k]) < 0 ? end : weight;
 				final double share = (knots[k] - knots[k - 1]) / (knots[k + 1] - knots[k - 1]);
 				final double[] bend = {share - 1, 1, -share};
@@ -195,14 +222,27 @@ final class BrightnessProfile {
 
 		private void add(final Example example) {
 			final LineEstimator.Around around = example.around();
-			final double[][] pictures = IntStream.range(0, knots.length)
-				.mapToObj(k -> ChainPixels.draw(example.frame(),
-					line.model().withBrightness(hat(k)), example.chain(), around.patch()))
+			final double[][] pictures = IntStream.range(0, right.length)
+				.mapToObj(k -> k < knots.length
+					? ChainPixels.draw(example.frame(), line.model().withBrightness(hat(k)),
+						example.chain(), around.patch())
+					: ChainPixels.draw(example.frame(),
+						line.model().withBrightness(new double[]{1}), lastPixel(example.chain()),
+						around.patch()))
 				.toArray(double[][]::new);
 			final double[] pixels = around.part().pixels();
 			for (int i = 0; i < pixels.length; i++)
 				if (around.near()[i] && !isCutOff(around.part(), i, pictures))
 					add(pictures, i, (pixels[i] - line.background()) / line.amplitude());
+		}
+
+		/** A pixel's length around the tip, going on straight. */
+		private Chain lastPixel(final Chain chain) {
+			final Point tip = chain.tip();
+			final double angle = chain.angle(chain.links() - 1);
+			final double dx = 0.5 * Math.cos(angle), dy = 0.5 * Math.sin(angle);
+			return Chain.along(Polyline.of(List.of(new Point(tip.x() - dx, tip.y() - dy),
+				new Point(tip.x() + dx, tip.y() + dy))), 2, 1);
 		}
 
 		/** What is 1 at a knot and 0 at all others. */

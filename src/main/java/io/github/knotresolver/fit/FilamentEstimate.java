@@ -1,5 +1,7 @@
 package io.github.knotresolver.fit;
 
+import java.util.Arrays;
+
 import io.github.knotresolver.geometry.Point;
 
 /**
@@ -40,6 +42,20 @@ public record FilamentEstimate(LineModel model, double amplitude, double length,
 	 */
 	public FilamentEstimate withFixedEnd(final Point end) {
 		return new FilamentEstimate(model, amplitude, length, lengthError, end, guessed);
+	}
+
+	/**
+	 * The same filament in other units of light: what fits cost depends on how bright a strand is
+	 * taken for, since residuals are cut off at a share of it.
+	 *
+	 * @param strand what a brightness of 1 is in the frames' units, above 0
+	 * @return as bright in the frames' units
+	 */
+	public FilamentEstimate inUnitsOf(final double strand) {
+		return new FilamentEstimate(
+			model.withBrightness(
+				Arrays.stream(model.brightness()).map(b -> b * amplitude / strand).toArray()),
+			strand, length, lengthError, fixedEnd, guessed);
 	}
 
 	/**

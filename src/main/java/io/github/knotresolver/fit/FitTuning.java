@@ -81,7 +81,7 @@ final class FitTuning {
 	static final double PROFILE_HOLD = 5;
 
 	/** [weight] ... and near 1. Why: only where nothing else is known. */
-	static final double PROFILE_PULL = 0.02;
+	static final double PROFILE_PULL = 0.004;
 
 	/**
 	 * [strands] A profile that varies by less is even. Why: the model of the line is not better
@@ -249,6 +249,21 @@ final class FitTuning {
 	 * that.
 	 */
 	static final double PROFILE_SETTLED = 3e-4;
+
+	/**
+	 * [share] Curves are equally long if half of them differ by less from the usual length. Why: one
+	 * that grows does so by more in a movie.
+	 */
+	static final double ONE_LENGTH = 0.01;
+
+	/**
+	 * [strands²] ... and all light is known if no more than this is left of it beside noise. Why: of
+	 * lines that fade over their length a third of that is; clouds of haze leave four times as much.
+	 */
+	static final double FADING_MISFIT = 0.01;
+
+	/** [px] A tip that is looked for in all frames moves so far at a time. Why: a line's width. */
+	static final double TIP_STEP = 1;
 
 	/**
 	 * [frames] So many frames are enough to learn the line. Why: each has hundreds of pixels along

@@ -152,9 +152,30 @@ public final class LineEstimator {
 		return fit(examples, model(kind, best));
 	}
 
+	/**
+	 * The same line as wide as it explains the examples best, now that its brightness along the
+	 * filament is known: taken for even, one that fades looks narrower or wider than it is.
+	 *
+	 * @param examples at least one
+	 * @param line one that adds up, and its brightness along the filament
+	 * @param progress may cancel
+	 * @return as bright as it was; its residuals are those of the even line
+	 */
+	static LineEstimate withWidth(final List<Example> examples, final LineEstimate line,
+		final Progress progress) {
+		final double known = line.model().sigma();
+		final double sigma = new SimplexSearch(1e-4, 1e-6, FitTuning.SEARCH_STEPS, progress)
+			.lowest(p -> fit(examples, line.model().withSigma(width(p[0]))).unexplained()
+				+ Math.abs(p[0] - width(p[0])), new double[]{known}, new double[]{0.1})[0];
+		return line.withModel(line.model().withSigma(width(sigma)));
+	}
+
+	private static double width(final double sigma) {
+		return clamp(sigma, FitTuning.SMALLEST_WIDTH, FitTuning.LARGEST_WIDTH);
+	}
+
 	private static LineModel model(final LineModel.Kind kind, final double[] p) {
-		return LineModel.uniform(kind,
-			clamp(p[0], FitTuning.SMALLEST_WIDTH, FitTuning.LARGEST_WIDTH),
+		return LineModel.uniform(kind, width(p[0]),
 			p.length > 1 ? clamp(p[1], lowest(kind), FitTuning.LARGEST_POWER) : 1);
 	}
 

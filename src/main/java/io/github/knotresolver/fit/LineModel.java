@@ -83,6 +83,11 @@ public record LineModel(Kind kind, double sigma, double power, double[] brightne
 		return new LineModel(kind, sigma, power, values);
 	}
 
+	/** The same line, so wide. */
+	LineModel withSigma(final double width) {
+		return new LineModel(kind, width, power, brightness);
+	}
+
 	/** @return whether it is as bright everywhere */
 	public boolean isEven() {
 		return brightness.length == 1;
@@ -100,9 +105,7 @@ public record LineModel(Kind kind, double sigma, double power, double[] brightne
 
 	/** @return the same line in a frame in which it is so many times as wide */
 	LineModel in(final NormalizedFrame frame) {
-		return frame.widening() == 1
-			? this
-			: new LineModel(kind, sigma * frame.widening(), power, brightness);
+		return frame.widening() == 1 ? this : withSigma(sigma * frame.widening());
 	}
 
 	/** @return the same line, run from its tip to its fixed end */

@@ -193,8 +193,9 @@ record FilamentLearner(Set<LineModel.Kind> kinds, LengthModel lengths, Workers w
 			return Optional.empty();
 		// A length that was a guess remains one.
 		return FilamentEstimator
-			.estimate(sightings, EnumSet.of(known.model().kind()), seen.look.endsFree, workers,
-				progress)
+			.estimate(
+				sightings, EnumSet.of(known.model().kind()), seen.look.endsFree, workers, progress)
+			.map(e -> noisy ? e : e.inUnitsOf(known.amplitude()))
 			.map(e -> !noisy && isSame(e, known)
 				? e.withGuessed(known.guessed())
 				: e.orGuessed(known.guessed()))

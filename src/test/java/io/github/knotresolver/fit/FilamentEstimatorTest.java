@@ -61,6 +61,22 @@ class FilamentEstimatorTest {
 		assertEquals(LENGTH, estimate.length(), 0.01 * LENGTH);
 	}
 
+	/** In one frame noise moves such a tip by a pixel. */
+	@Test
+	void allFramesTogetherSayHowLongAFilamentIsThatFades() {
+		final double[] fading = {1, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2};
+		for (final boolean fromTip : new boolean[]{false, true}) {
+			final LineModel model = new LineModel(LineModel.Kind.ADDITIVE, 1.7, 1, fading);
+			final FilamentEstimate estimate = estimate(fromTip ? model.reversed() : model, 0.06,
+				f -> f);
+			final double[] brightness = estimate.model().brightness();
+			assertEquals(LENGTH, estimate.length(), 0.007 * LENGTH);
+			assertEquals(1.7, estimate.model().sigma(), 0.03);
+			assertEquals(0.2,
+				estimate.amplitude() * brightness[fromTip ? 0 : brightness.length - 1], 0.05);
+		}
+	}
+
 	/** Like a worm: bright up to the last tenth at both ends, and there dimmer and dimmer. */
 	@Test
 	void endsThatTaperAreFollowedToTheirLight() {

@@ -67,6 +67,16 @@ class WholeMovieTest {
 			1);
 	}
 
+	/** As in the published movies, seven pixels wide, and as bright at its edge as in its middle. */
+	@Test
+	void aWideLineThatIsFlatOnTopKeepsItsKnots() {
+		final DrawnMovie drawn = DrawnMovie.draw(DrawnMovie.waves(30, LENGTH, KNOTTED), List.of(),
+			LineModel.uniform(LineModel.Kind.SATURATING, 3, 3), 0.1, 24);
+		final Tracks result = resolve(drawn, Settings.DEFAULT);
+		assertFollows(drawn, result, Set.of());
+		assertEquals(LENGTH, result.only().length(), 0.01 * LENGTH);
+	}
+
 	@Test
 	void aFilamentThatWindsUpDoesNotSeemToBrighten() {
 		final List<Chain> chains = IntStream.range(0, 24)
