@@ -77,6 +77,29 @@ class WholeMovieTest {
 		assertEquals(LENGTH, result.only().length(), 0.01 * LENGTH);
 	}
 
+	/** Of moving clouds half as bright as the filament nothing is right as several filaments, either. */
+	@Test
+	void aClampedFilamentInCloudsIsNotTakenToPieces() {
+		final int frames = 16, size = DrawnMovie.SIZE;
+		final DrawnMovie clear = DrawnMovie.draw(DrawnMovie.waves(frames, LENGTH, 2), List.of(),
+			GAUSSIAN, 0.5, 25);
+		final float[] pixels = new float[frames * size * size];
+		for (int t = 0; t < frames; t++) {
+			final double[] frame = clear.frame(t).pixels();
+			for (int i = 0; i < frame.length; i++)
+				pixels[t * frame.length + i] = (float) (frame[i]
+					+ 0.5 * Math.sin(i % size / 4.0 + t) * Math.sin(i / size / 4.0 - t));
+		}
+		final Tracks result = new Session(
+			new Movie("clouds", ArrayImgs.floats(pixels, size, size, frames), Calibration.NONE),
+			Settings.DEFAULT).solve(List.of(), Progress.NONE);
+		assertEquals(LENGTH, result.only().length(), 0.03 * LENGTH);
+		assertTrue(result.only().frames().stream()
+			.allMatch(f -> f.contour().isEmpty() || f.confidence() < 0.9
+				|| DiscreteFrechet.distance(clear.truth().get(f.frame() - 1).resampled(1),
+					f.contour().orElseThrow().resampled(1)) < 5));
+	}
+
 	@Test
 	void aFilamentThatWindsUpDoesNotSeemToBrighten() {
 		final List<Chain> chains = IntStream.range(0, 24)
