@@ -130,8 +130,10 @@ final class SolvedMovie {
 	/** Whether several filaments may be one that lies on itself, or none of them what it seems. */
 	private static boolean mayBeOne(final SceneTracks scene, final Settings settings,
 		final PreparedMovie prepared) {
-		return settings.anchor() != AnchorChoice.FREE && settings.fitsTrails() && (isDoubtful(scene)
-			|| scene.filaments().size() > 1 && SingleFilament.isOneObject(prepared.frames()));
+		return settings.anchor() != AnchorChoice.FREE && settings.fitsTrails()
+			&& (isDoubtful(scene)
+				? SingleFilament.isMostlyOneObject(prepared.frames())
+				: scene.filaments().size() > 1 && SingleFilament.isOneObject(prepared.frames()));
 	}
 
 	private static boolean isDoubtful(final SceneTracks scene) {

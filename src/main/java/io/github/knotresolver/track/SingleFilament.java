@@ -5,10 +5,12 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.DoubleStream;
 
 import org.jgrapht.alg.connectivity.ConnectivityInspector;
 
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.RobustStatistics;
 import io.github.knotresolver.graph.Node;
 import io.github.knotresolver.graph.Segment;
 import io.github.knotresolver.graph.SkeletonGraph;
@@ -66,6 +68,23 @@ public final class SingleFilament {
 			one += objects == 1 ? 1 : 0;
 		}
 		return seen > 0 && one >= TrackTuning.NEARLY_ALL * seen;
+	}
+
+	/**
+	 * O(segments).
+	 *
+	 * @param frames a movie
+	 * @return whether in most of its frames one object is longer than all others together
+	 */
+	public static boolean isMostlyOneObject(final List<FrameView> frames) {
+		final double[] shares = frames.stream().map(FrameView::graph)
+			.filter(g -> !g.segments().isEmpty()).mapToDouble(g -> {
+				final double[] lengths = new ConnectivityInspector<>(g.asGraph()).connectedSets()
+					.stream().mapToDouble(p -> length(g, p)).toArray();
+				return DoubleStream.of(lengths).max().orElse(0)
+					/ DoubleStream.of(lengths).sum();
+			}).toArray();
+		return RobustStatistics.median(shares, 0) > TrackTuning.MAIN_OBJECT;
 	}
 
 	private static List<Set<Node>> objects(final SkeletonGraph graph) {

@@ -519,6 +519,12 @@ final class TrackTuning {
 	 */
 	static final double SINGLE_SPECK_SHARE = 0.1;
 
+	/**
+	 * [share] Of one object and much that is none, it is longer than this part of all. Why: of a field
+	 * of eleven filaments the longest is a third; beside haze and beads a filament is a half.
+	 */
+	static final double MAIN_OBJECT = 0.5;
+
 	/** [px] A shorter branch has no end of its own. Why: as wide as a thick line. */
 	static final double SINGLE_SPUR = 8;
 
