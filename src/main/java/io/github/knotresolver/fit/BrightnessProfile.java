@@ -45,15 +45,24 @@ final class BrightnessProfile {
 	}
 
 	/**
-	 * How much longer a filament is than curves which are all as long. How bright its end is and where
-	 * it is are found together: a dim end that is taken for brighter than it is lies before it.
+	 * How bright a filament is, and how much longer than curves that are all as long.
 	 *
-	 * @param examples frames and curves
-	 * @param line the line, which adds up
-	 * @return to first order, in pixels; negative if it is shorter
+	 * @param brightness relative brightness at equal spacing from the fixed end to the tip
+	 * @param missing at the tip, to first order, in pixels; negative if the filament is shorter
 	 */
-	static double missingAtTip(final List<Example> examples, final LineEstimate line) {
-		return new BrightnessProfile(examples, line).missingAtTip();
+	record Lengthened(double[] brightness, double missing) {
+	}
+
+	/**
+	 * How bright the end is and where it is are found together: a dim end that is taken for brighter
+	 * than it is lies before it.
+	 *
+	 * @param examples frames and curves, all as long
+	 * @param line the line, which adds up
+	 * @return what explains the examples best
+	 */
+	static Lengthened lengthened(final List<Example> examples, final LineEstimate line) {
+		return new BrightnessProfile(examples, line).lengthened();
 	}
 
 	/**
@@ -110,30 +119,41 @@ final class BrightnessProfile {
 		final double[] knots = line.model().kind() == LineModel.Kind.ADDITIVE
 			? withEnds(even)
 			: even;
-		final double[] profile = heldStraight(even, knots, false);
+		final double[] profile = heldStraight(even, knots, FitTuning.PROFILE_PULL, false);
 		if (!varies && profile[0] > FitTuning.DIM_END
 			&& profile[profile.length - 1] > FitTuning.DIM_END)
 			return new double[]{1};
+		return sampled(knots, profile);
+	}
+
+	private double[] sampled(final double[] knots, final double[] profile) {
 		final double[] sampled = new double[1 + (int) Math.ceil(length)];
 		for (int i = 0; i < sampled.length; i++)
 			sampled[i] = at((double) i / (sampled.length - 1), knots, profile);
 		return sampled;
 	}
 
-	private double[] heldStraight(final double[] even, final double[] knots,
+	/**
+	 * The brightness at the knots.
+	 *
+	 * @param pull weight of a brightness of 1
+	 * @param withTip whether the light that is missing at the tip comes after it
+	 */
+	private double[] heldStraight(final double[] even, final double[] knots, final double pull,
 		final boolean withTip) {
 		final double weight = FitTuning.PROFILE_HOLD * examples.size();
 		final Normal straight = new Normal(knots, withTip);
-		straight.hold(FitTuning.PROFILE_PULL * weight);
+		straight.hold(pull * weight);
 		straight.holdStraight(even, weight,
 			Math.min(1, line.residual() / FitTuning.END_MISFIT) * weight);
 		return straight.solved();
 	}
 
-	private double missingAtTip() {
+	private Lengthened lengthened() {
 		final double[] even = evenKnots(), knots = withEnds(even);
-		final double[] profile = heldStraight(even, knots, true);
-		return profile[knots.length] / limited(profile[knots.length - 1]);
+		final double[] profile = heldStraight(even, knots, FitTuning.LENGTHENED_PULL, true);
+		return new Lengthened(sampled(knots, profile),
+			profile[knots.length] / limited(profile[knots.length - 1]));
 	}
 
 	/** Places of knots at equal spacing, as shares of the length. */

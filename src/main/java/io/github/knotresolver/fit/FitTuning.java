@@ -81,7 +81,13 @@ final class FitTuning {
 	static final double PROFILE_HOLD = 5;
 
 	/** [weight] ... and near 1. Why: only where nothing else is known. */
-	static final double PROFILE_PULL = 0.004;
+	static final double PROFILE_PULL = 0.02;
+
+	/**
+	 * [weight] ... where the light of all frames is known. Why: drawn nearer to 1, a tip of a fifth of
+	 * that looks a third as bright as the middle and ends half a pixel early.
+	 */
+	static final double LENGTHENED_PULL = 0.004;
 
 	/**
 	 * [strands] A profile that varies by less is even. Why: the model of the line is not better
@@ -254,13 +260,14 @@ final class FitTuning {
 	 * [share] Curves are equally long if half of them differ by less from the usual length. Why: one
 	 * that grows does so by more in a movie.
 	 */
-	static final double ONE_LENGTH = 0.01;
+	static final double ONE_LENGTH = 0.025;
 
 	/**
 	 * [strands²] ... and all light is known if no more than this is left of it beside noise. Why: of
-	 * lines that fade over their length a third of that is; clouds of haze leave four times as much.
+	 * lines that fade over their length half of that is, of worms, which taper, up to twice as much, of
+	 * clouds of haze eight times.
 	 */
-	static final double FADING_MISFIT = 0.01;
+	static final double FADING_MISFIT = 0.005;
 
 	/** [px] A tip that is looked for in all frames moves so far at a time. Why: a line's width. */
 	static final double TIP_STEP = 1;

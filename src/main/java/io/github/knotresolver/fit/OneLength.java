@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
+import io.github.knotresolver.fit.BrightnessProfile.Lengthened;
 import io.github.knotresolver.fit.LineEstimator.Example;
 import io.github.knotresolver.fit.LineEstimator.LineEstimate;
 import io.github.knotresolver.geometry.RobustStatistics;
@@ -66,11 +67,10 @@ record OneLength(double length, LineEstimate line) {
 		for (int round = 0; round < FitTuning.MOST_PROFILE_ROUNDS
 			&& Math.abs(missing) > FitTuning.PROFILE_SETTLED * length; round++) {
 			fitted = now.fitted(fitted, endsFree, workers, progress);
-			final LineEstimate line = now.line.withModel(
-				now.line.model().withBrightness(BrightnessProfile.estimate(fitted, now.line)));
-			missing = Math.max(-FitTuning.TIP_STEP,
-				Math.min(FitTuning.TIP_STEP, BrightnessProfile.missingAtTip(fitted, line)));
-			now = new OneLength(now.length + missing, line);
+			final Lengthened found = BrightnessProfile.lengthened(fitted, now.line);
+			missing = Math.max(-FitTuning.TIP_STEP, Math.min(FitTuning.TIP_STEP, found.missing()));
+			now = new OneLength(now.length + missing,
+				now.line.withModel(now.line.model().withBrightness(found.brightness())));
 		}
 		return now;
 	}

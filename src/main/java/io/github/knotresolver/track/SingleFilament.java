@@ -81,8 +81,7 @@ public final class SingleFilament {
 			.filter(g -> !g.segments().isEmpty()).mapToDouble(g -> {
 				final double[] lengths = new ConnectivityInspector<>(g.asGraph()).connectedSets()
 					.stream().mapToDouble(p -> length(g, p)).toArray();
-				return DoubleStream.of(lengths).max().orElse(0)
-					/ DoubleStream.of(lengths).sum();
+				return DoubleStream.of(lengths).max().orElse(0) / DoubleStream.of(lengths).sum();
 			}).toArray();
 		return RobustStatistics.median(shares, 0) > TrackTuning.MAIN_OBJECT;
 	}
