@@ -58,4 +58,19 @@ class SingleFilamentTest {
 		assertTrue(SingleFilament.isOneObject(crossing));
 		assertFalse(SingleFilament.isOneObject(apart));
 	}
+
+	@Test
+	void aFilamentBesideSpecksIsMostOfAMovieAndOneOfSeveralIsNot() {
+		final List<FrameView> specks = new ArrayList<>(), several = new ArrayList<>();
+		for (int t = 0; t < 10; t++) {
+			specks.add(DrawnFrames.lines(t + 1, line(20, 20, 90, 20 + t), line(20, 80, 40, 80),
+				line(60, 70, 80, 60)));
+			several.add(DrawnFrames.lines(t + 1, line(20, 20, 90, 20 + t), line(20, 80, 70, 80),
+				line(30, 60, 80, 60)));
+		}
+		assertFalse(SingleFilament.isOneObject(specks));
+		assertTrue(SingleFilament.isMostlyOneObject(specks));
+		assertFalse(SingleFilament.isMostlyOneObject(several));
+		assertFalse(SingleFilament.isMostlyOneObject(List.of(DrawnFrames.lines(1))));
+	}
 }
