@@ -109,9 +109,8 @@ final class JoinedPieces {
 		Arrays.setAll(gap,
 			t -> Math.min(filaments.get(two[0]).gap()[t], filaments.get(two[1]).gap()[t]));
 		others.add(new Settled(chains, gap, Double.NaN));
-		return ScenePass.of(others).price(line) < ScenePass.of(filaments).price(line)
-			? Optional.of(others)
-			: Optional.empty();
+		return ScenePass.of(others).price(line, workers) < ScenePass.of(filaments).price(line,
+			workers) ? Optional.of(others) : Optional.empty();
 	}
 
 	/** Both curves in one; where they lie on each other, the second one's beginning is left out. */

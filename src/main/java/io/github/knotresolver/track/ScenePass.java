@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.IntStream;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Scene;
@@ -184,9 +183,9 @@ record ScenePass(int start, List<List<Chain>> chains) {
 	 * What the pass does not explain, per frame, and a price for every filament: of two
 	 * passes the one with less is right, also about how many filaments there are.
 	 */
-	double price(final SceneLine line) {
-		return IntStream.range(0, chains.size()).mapToDouble(t -> line.left(t, chains.get(t)))
-			.average().orElse(0) + priceOfFilaments();
+	double price(final SceneLine line, final Workers workers) {
+		return workers.map(chains.size(), t -> line.left(t, chains.get(t))).stream()
+			.mapToDouble(Double::doubleValue).average().orElse(0) + priceOfFilaments();
 	}
 
 	double priceOfFilaments() {

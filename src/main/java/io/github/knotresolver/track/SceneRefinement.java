@@ -148,7 +148,7 @@ final class SceneRefinement {
 		replaced.set(k, better);
 		final ScenePass with = ScenePass.of(replaced).with(k, better.chains(), line, weights,
 			workers);
-		if (with.price(line) >= ScenePass.of(before).price(line))
+		if (with.price(line, workers) >= ScenePass.of(before).price(line, workers))
 			return before;
 		for (int j = 0; j < replaced.size(); j++)
 			if (j != k)

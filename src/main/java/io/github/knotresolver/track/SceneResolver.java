@@ -298,7 +298,9 @@ public final class SceneResolver {
 		if (some.size() == 1)
 			return settled;
 		final ScenePass together = ScenePass.of(settled);
-		return together.price(line) - together.priceOfFilaments() <= SceneTuning.VISIBLY_LESS
-			* best.unexplained() ? settled : settler.first(settled);
+		return together.price(line, workers)
+			- together.priceOfFilaments() <= SceneTuning.VISIBLY_LESS * best.unexplained()
+				? settled
+				: settler.first(settled);
 	}
 }
