@@ -71,7 +71,7 @@ public final class SingleFilament {
 	}
 
 	/**
-	 * O(segments).
+	 * O(objects segments) for each frame.
 	 *
 	 * @param frames a movie
 	 * @return whether in most of its frames one object is longer than all others together
