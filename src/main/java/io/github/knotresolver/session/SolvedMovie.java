@@ -127,13 +127,14 @@ final class SolvedMovie {
 					.flatMap(end -> scenes.freeUnder(end, settings.anchor()));
 	}
 
-	/** Whether several filaments may be one that lies on itself, or none of them what it seems. */
+	/** Whether several filaments may be one that lies on itself, or one that was taken to pieces. */
 	private static boolean mayBeOne(final SceneTracks scene, final Settings settings,
 		final PreparedMovie prepared) {
-		return settings.anchor() != AnchorChoice.FREE && settings.fitsTrails()
+		return settings.anchor() != AnchorChoice.FREE && scene.filaments().size() > 1
+			&& settings.fitsTrails()
 			&& (isDoubtful(scene)
 				? SingleFilament.isMostlyOneObject(prepared.frames())
-				: scene.filaments().size() > 1 && SingleFilament.isOneObject(prepared.frames()));
+				: SingleFilament.isOneObject(prepared.frames()));
 	}
 
 	private static boolean isDoubtful(final SceneTracks scene) {
