@@ -56,12 +56,13 @@ public final class FitSolver {
 		final FilamentCourse course = pools.course();
 		final List<String> notes = new ArrayList<>(
 			List.of("Line model: " + course.estimate().model() + "."));
-		notes.addAll(
-			course.withLength(course.length().settled(solved.lengths())).notes(pools.frames()));
-		return new Track(course.estimate().fixedEnd(), course.estimate().length(),
-			course.estimate().lengthError(),
-			GuessedLength.doubted(StrayStart.doubted(TurnedRound.doubted(solved.frames()),
-				course.estimate().model().sigma()), course.estimate()),
+		final LengthCourse lengths = course.length().settled(solved.lengths());
+		notes.addAll(course.withLength(lengths).notes(pools.frames()));
+		final FilamentEstimate estimate = course.estimate();
+		return new Track(estimate.fixedEnd(), estimate.length(), estimate.lengthError(),
+			GuessedLength.doubtedAtBreak(GuessedLength.doubted(
+				StrayStart.doubted(TurnedRound.doubted(solved.frames()), estimate.model().sigma()),
+				estimate), lengths, estimate.model()),
 			notes);
 	}
 

@@ -1,6 +1,7 @@
 
 package io.github.knotresolver.track;
 
+import java.util.ArrayList;
 import java.util.List;
 
 import io.github.knotresolver.fit.FilamentEstimate;
@@ -20,6 +21,8 @@ final class GuessedLength {
 
 	private static final String WHY_ENDS = "Doubtful: the light does not say where the filament ends: it fades out, or something else lies there; so its length is a guess.";
 
+	private static final String WHY_BROKEN = "Doubtful: the filament seems to have broken while its tip lay on it, and no frame shows its end; so its length is a guess.";
+
 	private GuessedLength() {
 	}
 
@@ -38,20 +41,53 @@ final class GuessedLength {
 		if (model.isEven())
 			return frames;
 		final List<Polyline> contours = frames.stream().flatMap(f -> f.contour().stream()).toList();
-		final long hidden = contours.stream().filter(c -> isHidden(c, model)).count();
+		final long hidden = contours.stream().filter(c -> isHidden(c, width(model))).count();
 		return hidden <= TrackTuning.NEARLY_ALL * contours.size()
 			? frames
 			: frames.stream().map(o -> o.atMost(TrackTuning.GUESSED, WHY)).toList();
 	}
 
-	/** Whether a frame shows the tip, and it does not lie on the filament or close beside it. */
-	static boolean isTipFree(final Observation frame, final LineModel model) {
-		return frame.visible() == 1 && frame.contour().filter(c -> !isHidden(c, model)).isPresent();
+	/**
+	 * Takes confidence off the frames before or after a break of which hardly one shows the tip free: a
+	 * dim tip that comes to lie on the filament looks as if it were gone. O(frames * length).
+	 *
+	 * @param frames of one filament, in order of time
+	 * @param course its length
+	 * @param model what its line looks like
+	 * @return the same contours, none of which is believed on a side of a break that is not seen
+	 */
+	static List<Observation> doubtedAtBreak(final List<Observation> frames,
+		final LengthCourse course, final LineModel model) {
+		if (course.at() == 0)
+			return frames;
+		final List<Observation> doubted = new ArrayList<>(
+			ifHidden(frames.subList(0, course.at()), model));
+		doubted.addAll(ifHidden(frames.subList(course.at(), frames.size()), model));
+		return doubted;
 	}
 
-	private static boolean isHidden(final Polyline contour, final LineModel model) {
-		final double width = LineAppearance.FULL_WIDTH * model.sigma();
+	private static List<Observation> ifHidden(final List<Observation> side, final LineModel model) {
+		return side.stream().filter(f -> isTipFree(f, TrackTuning.BREAK_APART * width(model)))
+			.count() >= TrackTuning.BREAK_SHOWN
+				? side
+				: side.stream().map(o -> o.atMost(TrackTuning.GUESSED, WHY_BROKEN)).toList();
+	}
+
+	/** Whether a frame shows the tip, and it does not lie on the filament or close beside it. */
+	static boolean isTipFree(final Observation frame, final LineModel model) {
+		return isTipFree(frame, width(model));
+	}
+
+	private static boolean isTipFree(final Observation frame, final double apart) {
+		return frame.visible() == 1 && frame.contour().filter(c -> !isHidden(c, apart)).isPresent();
+	}
+
+	private static boolean isHidden(final Polyline contour, final double width) {
 		final double before = contour.length() - TrackTuning.TAIL * width;
 		return before > 0 && contour.head(before).distanceTo(contour.last()) < width;
+	}
+
+	private static double width(final LineModel model) {
+		return LineAppearance.FULL_WIDTH * model.sigma();
 	}
 }

@@ -627,6 +627,15 @@ final class TrackTuning {
 	/** [probability] The confidence of what is guessed is at most this. Why: either may be right. */
 	static final double GUESSED = 0.5;
 
+	/** [frames] So many frames before and after a break show the end. Why: one may be misread. */
+	static final int BREAK_SHOWN = 2;
+
+	/**
+	 * [line widths] ... so far from the rest of the filament. Why: where a dim tip lies on it, what is
+	 * taken for the end is up to 1.2 from the strand beside it.
+	 */
+	static final double BREAK_APART = 1.5;
+
 	/** [line widths] The last so many of a contour are its tip. Why: on a ring it turns by less. */
 	static final double TAIL = 4;
 

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 
@@ -52,6 +53,43 @@ class GuessedLengthTest {
 			assertEquals(0.5, o.confidence());
 			assertTrue(o.reason().contains("where the filament ends"));
 		}
+	}
+
+	/** A tip that comes to lie on the filament, and one that breaks off while it does. */
+	@Test
+	void aBreakAfterWhichNoFrameShowsTheEndIsAGuess() {
+		final List<Observation> arcsFirst = new ArrayList<>(frames(12, 8));
+		Collections.reverse(arcsFirst);
+		final List<Observation> doubted = GuessedLength.doubtedAtBreak(arcsFirst, brokenAt(8, 20),
+			EVEN);
+		for (int t = 0; t < 20; t++)
+			assertEquals(t < 8 ? 0.99 : 0.5, doubted.get(t).confidence(), "frame " + t);
+		assertTrue(doubted.get(8).reason().contains("no frame shows its end"));
+		final List<Observation> before = GuessedLength.doubtedAtBreak(frames(12, 8),
+			brokenAt(12, 20), EVEN);
+		for (int t = 0; t < 20; t++)
+			assertEquals(t < 12 ? 0.5 : 0.99, before.get(t).confidence(), "frame " + t);
+	}
+
+	@Test
+	void aBreakThatIsShownOnBothSidesIsBelieved() {
+		assertEquals(frames(0, 20),
+			GuessedLength.doubtedAtBreak(frames(0, 20), brokenAt(8, 20), EVEN));
+		final List<Observation> shownTwice = new ArrayList<>(frames(6, 2));
+		shownTwice.addAll(frames(8, 2));
+		assertEquals(shownTwice, GuessedLength.doubtedAtBreak(shownTwice, brokenAt(8, 18), EVEN));
+		final List<Observation> wound = frames(20, 0);
+		assertEquals(wound,
+			GuessedLength.doubtedAtBreak(wound, LengthCourse.constant(100, 20), EVEN));
+	}
+
+	private static LengthCourse brokenAt(final int at, final int frames) {
+		final double[] lengths = new double[frames], others = new double[frames];
+		for (int t = 0; t < frames; t++) {
+			lengths[t] = t < at ? 100 : 90;
+			others[t] = Double.NaN;
+		}
+		return new LengthCourse(lengths, others, LengthCourse.Kind.BROKEN, at);
 	}
 
 	private static FilamentEstimate estimate(final LineModel model, final boolean guessed) {
