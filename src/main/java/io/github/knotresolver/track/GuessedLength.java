@@ -11,13 +11,15 @@ import io.github.knotresolver.image.LineAppearance;
 import io.github.knotresolver.model.Observation;
 
 /**
- * Whether a filament's length is a guess: it is not evenly bright, and its tip lies on itself in
- * nearly all frames, so that what is brighter there may be a brighter part of it or two strands;
- * or the light of its ends does not say where it ends.
+ * Whether a filament's length is a guess: it is not evenly bright, or its frames are few, and its tip
+ * lies on itself in nearly all of them, so that what is brighter there may be a brighter part of it
+ * or two strands; or the light of its ends does not say where it ends.
  */
 final class GuessedLength {
 
 	private static final String WHY = "Doubtful: the filament is not evenly bright and its tip lies on it in nearly all frames, so its length is a guess.";
+
+	private static final String WHY_FEW = "Doubtful: the movie is short and the filament's tip lies on it in nearly all frames, so its length is a guess.";
 
 	private static final String WHY_ENDS = "Doubtful: the light does not say where the filament ends: it fades out, or something else lies there; so its length is a guess.";
 
@@ -38,13 +40,15 @@ final class GuessedLength {
 		if (estimate.guessed())
 			return frames.stream().map(o -> o.atMost(TrackTuning.GUESSED, WHY_ENDS)).toList();
 		final LineModel model = estimate.model();
-		if (model.isEven())
-			return frames;
 		final List<Polyline> contours = frames.stream().flatMap(f -> f.contour().stream()).toList();
-		final long hidden = contours.stream().filter(c -> isHidden(c, width(model))).count();
+		final boolean few = contours.size() < TrackTuning.HIDDEN_FEW;
+		if (model.isEven() && !few)
+			return frames;
+		final double apart = few ? TrackTuning.TIP_APART * width(model) : width(model);
+		final long hidden = contours.stream().filter(c -> isHidden(c, apart)).count();
 		return hidden <= TrackTuning.NEARLY_ALL * contours.size()
 			? frames
-			: frames.stream().map(o -> o.atMost(TrackTuning.GUESSED, WHY)).toList();
+			: frames.stream().map(o -> o.atMost(TrackTuning.GUESSED, few ? WHY_FEW : WHY)).toList();
 	}
 
 	/**
@@ -67,7 +71,7 @@ final class GuessedLength {
 	}
 
 	private static List<Observation> ifHidden(final List<Observation> side, final LineModel model) {
-		return side.stream().filter(f -> isTipFree(f, TrackTuning.BREAK_APART * width(model)))
+		return side.stream().filter(f -> isTipFree(f, TrackTuning.TIP_APART * width(model)))
 			.count() >= TrackTuning.BREAK_SHOWN
 				? side
 				: side.stream().map(o -> o.atMost(TrackTuning.GUESSED, WHY_BROKEN)).toList();

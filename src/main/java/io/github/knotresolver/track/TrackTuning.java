@@ -627,14 +627,22 @@ final class TrackTuning {
 	/** [probability] The confidence of what is guessed is at most this. Why: either may be right. */
 	static final double GUESSED = 0.5;
 
-	/** [frames] So many frames before and after a break show the end. Why: one may be misread. */
-	static final int BREAK_SHOWN = 2;
+	/**
+	 * [line widths] A tip that is so far from the rest of the filament does not lie on it. Why: where a
+	 * dim tip does, what is taken for the end is up to 1.3 from the strand beside it.
+	 */
+	static final double TIP_APART = 1.5;
 
 	/**
-	 * [line widths] ... so far from the rest of the filament. Why: where a dim tip lies on it, what is
-	 * taken for the end is up to 1.2 from the strand beside it.
+	 * [frames] Fewer frames in nearly all of which the tip is nearer do not say how long the filament
+	 * is. Why: of five, one ended before its light.
 	 */
-	static final double BREAK_APART = 1.5;
+	static final int HIDDEN_FEW = 10;
+
+	/**
+	 * [frames] So many frames before and after a break show a tip that is not. Why: one may be misread.
+	 */
+	static final int BREAK_SHOWN = 2;
 
 	/** [line widths] The last so many of a contour are its tip. Why: on a ring it turns by less. */
 	static final double TAIL = 4;

@@ -48,6 +48,16 @@ class GuessedLengthTest {
 	}
 
 	@Test
+	void aFewFramesInWhichAnEvenFilamentLiesOnItselfDoNotTellItsLengthEither() {
+		for (final Observation o : GuessedLength.doubted(frames(9, 0), estimate(EVEN, false))) {
+			assertEquals(0.5, o.confidence());
+			assertTrue(o.reason().contains("the movie is short"));
+		}
+		assertEquals(frames(10, 0), GuessedLength.doubted(frames(10, 0), estimate(EVEN, false)));
+		assertEquals(frames(6, 3), GuessedLength.doubted(frames(6, 3), estimate(EVEN, false)));
+	}
+
+	@Test
 	void whereTheLightDoesNotSayWhereItEndsItHasOneToo() {
 		for (final Observation o : GuessedLength.doubted(frames(3, 9), estimate(EVEN, true))) {
 			assertEquals(0.5, o.confidence());
