@@ -78,7 +78,8 @@ public final class FilamentEstimator {
 		return learned.stream().filter(Learned::isLine)
 			.filter(l -> kinds.size() == 1 || l.isPlausible())
 			.min(Comparator.comparingDouble(Learned::misfit))
-			.map(l -> ofOneLength(evenOrNot(l, fitting.released()), fitting.released()))
+			.map(l -> evenOrNot(l, fitting.released()))
+			.map(l -> OneLength.of(l.summary(), l.line, l.examples, endsFree, workers, progress))
 			.map(e -> e.orGuessed(!fitting.isOpen() && sightings.size() < FitTuning.FEWEST_CLOSED));
 	}
 
@@ -276,9 +277,7 @@ public final class FilamentEstimator {
 					first.line.withModel(first.line.model()
 						.withBrightness(BrightnessProfile.estimate(first.examples, first.line))),
 					true);
-			line = line.withModel(line.model().withBrightness(brightness));
-			if (OneLength.isKnownBetter(line, grown))
-				line = LineEstimator.withWidth(grown, line, fitting.progress);
+			line = OneLength.fading(line, brightness, grown, fitting.progress);
 			final double before = usualLength(examples);
 			examples = fitting.again(grown, line, false);
 			if (round + 1 >= FitTuning.FEWEST_PROFILE_ROUNDS
@@ -304,16 +303,6 @@ public final class FilamentEstimator {
 			learned.line.model().withBrightness(BrightnessProfile.estimate(shorter, learned.line)));
 		return new Learned(fitting.again(shorter, line, false), line,
 			learned.guessed || ends.areAtBorder(learned.examples, learned.line.model().sigma()));
-	}
-
-	/** What is learned; if an end is dim, with the length that all frames have together. */
-	private static FilamentEstimate ofOneLength(final Learned learned, final Fitting fitting) {
-		final FilamentEstimate free = learned.summary();
-		return OneLength.isKnownBetter(learned.line, learned.examples)
-			? new OneLength(free.length(), learned.line)
-				.settled(learned.examples, fitting.endsFree, fitting.workers, fitting.progress)
-				.of(free)
-			: free;
 	}
 
 	private static boolean isLine(final LineEstimate line) {

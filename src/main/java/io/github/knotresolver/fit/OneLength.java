@@ -22,12 +22,49 @@ import io.github.knotresolver.progress.Workers;
 record OneLength(double length, LineEstimate line) {
 
 	/**
+	 * A line with its brightness along the filament, as wide as it then is.
+	 *
+	 * @param line the line as if it were even
+	 * @param brightness relative brightness at equal spacing from the fixed end to the tip
+	 * @param examples frames and curves
+	 * @param progress may cancel
+	 * @return the line; as wide as before if an even one does not look narrower than it is
+	 */
+	static LineEstimate fading(final LineEstimate line, final double[] brightness,
+		final List<Example> examples, final Progress progress) {
+		final LineEstimate fading = line.withModel(line.model().withBrightness(brightness));
+		return isKnownBetter(fading, examples)
+			? LineEstimator.withWidth(examples, fading, progress)
+			: fading;
+	}
+
+	/**
+	 * What is known of a filament; if an end is dim, with the length that all frames have together.
+	 *
+	 * @param free what follows from curves of any length
+	 * @param line the line, and its brightness along the filament
+	 * @param examples frames and those curves
+	 * @param endsFree weights of a fit with both ends and the length free
+	 * @param workers threads
+	 * @param progress asked whether to stop
+	 * @return the same if all ends are bright, or something else shines
+	 */
+	static FilamentEstimate of(final FilamentEstimate free, final LineEstimate line,
+		final List<Example> examples, final FitSettings endsFree, final Workers workers,
+		final Progress progress) {
+		return isKnownBetter(line, examples)
+			? new OneLength(free.length(), line).settled(examples, endsFree, workers, progress)
+				.of(free)
+			: free;
+	}
+
+	/**
 	 * @param line the line, and its brightness along the filament
 	 * @param examples frames and curves
 	 * @return whether an end is dim, the line's light adds up and is all there is beside noise, and
 	 *         there are enough curves that are equally long
 	 */
-	static boolean isKnownBetter(final LineEstimate line, final List<Example> examples) {
+	private static boolean isKnownBetter(final LineEstimate line, final List<Example> examples) {
 		if (line.model().kind() != LineModel.Kind.ADDITIVE || !line.model().hasDimEnd()
 			|| examples.size() < FitTuning.FEWEST_TAPERS)
 			return false;
@@ -40,16 +77,8 @@ record OneLength(double length, LineEstimate line) {
 			&& fading.residual() - fading.noise() < FitTuning.FADING_MISFIT;
 	}
 
-	/**
-	 * O(rounds) fits of each example.
-	 *
-	 * @param examples frames and curves that are about as long
-	 * @param endsFree weights of a fit with both ends and the length free
-	 * @param workers threads
-	 * @param progress asked whether to stop
-	 * @return the length, and the brightness along it, that explain all of them best
-	 */
-	OneLength settled(final List<Example> examples, final FitSettings endsFree,
+	/** The length, and the brightness along it, that explain all best. O(rounds) fits of each. */
+	private OneLength settled(final List<Example> examples, final FitSettings endsFree,
 		final Workers workers, final Progress progress) {
 		final double[] bright = line.model().brightness();
 		if (bright[0] < line.model().atTip())
@@ -99,7 +128,7 @@ record OneLength(double length, LineEstimate line) {
 	}
 
 	/** The same filament, so long and so bright. */
-	FilamentEstimate of(final FilamentEstimate filament) {
+	private FilamentEstimate of(final FilamentEstimate filament) {
 		return new FilamentEstimate(line.model(), filament.amplitude(), length,
 			filament.lengthError(), filament.fixedEnd(), filament.guessed());
 	}
