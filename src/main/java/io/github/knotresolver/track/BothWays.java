@@ -1,6 +1,7 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 
@@ -38,21 +39,25 @@ final class BothWays {
 	}
 
 	/**
-	 * Sweeps over all frames, there and back, until nothing changes; O(frames) each.
+	 * Sweeps over the frames that are open, there and back, until nothing changes; O(frames) each.
+	 * Where one changes, those beside it are open, too.
 	 *
 	 * @param chains the filament in all frames, with as many links in each; changed in place
 	 * @param other another course of it, which is tried as well; the same if there is none
+	 * @param open the frames to begin with; none is left
 	 * @param progress asked whether to stop
 	 */
-	void settle(final List<Chain> chains, final List<Chain> other, final Progress progress) {
+	void settle(final List<Chain> chains, final List<Chain> other, final BitSet open,
+		final Progress progress) {
 		final int n = chains.size();
-		boolean changed = true;
-		for (int round = 0; round < SceneTuning.BOTH_ROUNDS && changed; round++) {
-			changed = false;
-			for (int i = 0; i < 2 * n; i++) {
-				progress.checkCancelled();
-				changed |= improve(chains, other, i < n ? n - 1 - i : i - n);
-			}
+		for (int i = 0; i < 2 * n * SceneTuning.BOTH_ROUNDS && !open.isEmpty(); i++) {
+			final int at = i % (2 * n), t = at < n ? n - 1 - at : at - n;
+			if (!open.get(t))
+				continue;
+			progress.checkCancelled();
+			open.clear(t);
+			if (improve(chains, other, t))
+				open.set(Math.max(0, t - 1), Math.min(n, t + 2));
 		}
 	}
 

@@ -3,6 +3,7 @@ package io.github.knotresolver.track;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
@@ -44,13 +45,24 @@ final class FreeAgain {
 		if (run[1] - run[0] < SceneTuning.AGAIN_CLEAR)
 			return Optional.empty();
 		final List<Priced> courses = new ArrayList<>();
+		final List<Chain> known = pass.filament(k).stream().map(FreeAgain::supple).toList();
 		for (final boolean bendsOnce : new boolean[]{false, true})
-			courses.add(course(pass, k, run, bendsOnce));
+			courses.add(course(pass, k, known, clear, run, bendsOnce));
 		courses.sort(Comparator.comparingDouble(Priced::sum));
 		final Priced best = courses.get(0), other = courses.get(1);
+		final BitSet all = new BitSet();
+		all.set(0, clear.length);
 		new BothWays(line, SceneWeights.SUPPLE, pass, k).settle(best.filament.chains(),
-			other.filament.chains(), progress);
+			other.filament.chains(), all, progress);
 		return Optional.of(new Settled(best.filament.chains(), gap(best, other), Double.NaN));
+	}
+
+	/** Where two courses are not the same. */
+	private static BitSet others(final List<Chain> a, final List<Chain> b) {
+		final BitSet others = new BitSet();
+		for (int t = 0; t < a.size(); t++)
+			others.set(t, a.get(t) != b.get(t));
+		return others;
 	}
 
 	/** A course, and what the movie leaves unexplained with it, frame by frame. */
@@ -60,18 +72,20 @@ final class FreeAgain {
 		}
 	}
 
-	private Priced course(final ScenePass pass, final int k, final int[] run,
-		final boolean bendsOnce) {
+	private Priced course(final ScenePass pass, final int k, final List<Chain> known,
+		final boolean[] clear, final int[] run, final boolean bendsOnce) {
 		final int n = pass.chains().size();
 		final List<Chain> chains = new ArrayList<>(Collections.nCopies(n, null));
 		final double[] gap = new double[n];
 		Arrays.fill(gap, Double.POSITIVE_INFINITY);
 		for (int t = run[0]; t < run[1]; t++)
-			chains.set(t, supple(pass.chains().get(t).get(k)));
+			chains.set(t, known.get(t));
 		final Pursuit pursuit = new Pursuit(line, SceneWeights.SUPPLE, pass, k, bendsOnce);
-		pursue(pursuit, new int[]{run[1] - SceneTuning.AGAIN_BACK, 1}, chains, gap);
-		pursue(pursuit, new int[]{run[0] + SceneTuning.AGAIN_BACK - 1, -1}, chains, gap);
-		new BothWays(line, SceneWeights.SUPPLE, pass, k).settle(chains, chains, progress);
+		pursue(pursuit, new int[]{run[1] - SceneTuning.AGAIN_BACK, 1}, known, clear, chains, gap);
+		pursue(pursuit, new int[]{run[0] + SceneTuning.AGAIN_BACK - 1, -1}, known, clear, chains,
+			gap);
+		new BothWays(line, SceneWeights.SUPPLE, pass, k).settle(chains, chains,
+			others(known, chains), progress);
 		return new Priced(new Settled(chains, gap, Double.NaN), workers.map(n, t -> {
 			final List<Chain> all = new ArrayList<>(pass.chains().get(t));
 			all.set(k, chains.get(t));
@@ -104,19 +118,41 @@ final class FreeAgain {
 	}
 
 	/**
-	 * Goes on from a frame in one direction of time.
+	 * Goes on from a frame in one direction of time: through what is unclear, until the filament is
+	 * back where it was followed before, and on from the next frame that is unclear.
 	 *
 	 * @param way the frame, and 1 or -1
+	 * @param known the filament as it was followed before, in all frames
+	 * @param clear for each frame whether the light around it is explained
+	 * @param chains of all frames; changed in place
 	 */
-	private void pursue(final Pursuit pursuit, final int[] way, final List<Chain> chains,
+	private void pursue(final Pursuit pursuit, final int[] way, final List<Chain> known,
+		final boolean[] clear, final List<Chain> chains, final double[] gap) {
+		final int step = way[1], n = known.size();
+		int start = way[0];
+		while (start + step >= 0 && start + step < n) {
+			final int end = pursueUntilKnown(pursuit, start, step, known, clear, chains, gap);
+			int next = end;
+			for (int t = end + step; t >= 0 && t < n && clear[t]; t += step) {
+				chains.set(t, known.get(t));
+				next = t;
+			}
+			final boolean isLast = next + step < 0 || next + step >= n;
+			start = isLast || Math.abs(next - end) < SceneTuning.AGAIN_BACK
+				? next
+				: next - (SceneTuning.AGAIN_BACK - 1) * step;
+		}
+	}
+
+	/** Goes on from a frame until the filament is where it was known before; that frame. */
+	private int pursueUntilKnown(final Pursuit pursuit, final int start, final int step,
+		final List<Chain> known, final boolean[] clear, final List<Chain> chains,
 		final double[] gap) {
-		final int start = way[0], step = way[1], n = chains.size();
-		if (start + step < 0 || start + step >= n)
-			return;
 		List<Course> courses = List
 			.of(new Course(chains.get(start), 0, new Course(chains.get(start - step), 0, null)));
 		int end = start;
-		for (int t = start + step; t >= 0 && t < n; t += step) {
+		for (int t = start + step; t >= 0 && t < known.size()
+			&& !isKnown(courses.get(0), start, end, step, known, clear); t += step) {
 			progress.checkCancelled();
 			courses = pursuit.next(courses, t, workers);
 			end = t;
@@ -138,5 +174,21 @@ final class FreeAgain {
 		}
 		for (int t = end; t != start; t -= step)
 			gap[t] = Math.min(gap[t], SceneTuning.PURSUIT_MARGIN);
+		return end;
+	}
+
+	/** Whether a course was where the filament is known, and all was clear, for some frames. */
+	private static boolean isKnown(final Course course, final int start, final int end,
+		final int step, final List<Chain> known, final boolean[] clear) {
+		if (Math.abs(end - start) < 2 * SceneTuning.AGAIN_BACK)
+			return false;
+		Course at = course;
+		for (int i = 0; i < SceneTuning.AGAIN_BACK; i++) {
+			final int t = end - i * step;
+			if (!clear[t] || at.chain().farthest(known.get(t)) >= SceneTuning.PURSUIT_SAME)
+				return false;
+			at = at.before();
+		}
+		return true;
 	}
 }

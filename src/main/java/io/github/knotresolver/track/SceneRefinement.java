@@ -15,7 +15,7 @@ import io.github.knotresolver.track.SceneSettler.Settled;
  * What tracking alone leaves unclear is tried again with what is made for one clamped
  * filament: a clamped one ({@link ClampedAgain}), or a free one that crosses itself ({@link
  * FreeAgain}); then, if that leaves light unexplained, all that moves as one filament beside what
- * lies still. Kept where the movie becomes cheaper.
+ * lies still. Kept where the movie becomes cheaper. Left alone where hardly anything is clear.
  */
 final class SceneRefinement {
 
@@ -35,6 +35,8 @@ final class SceneRefinement {
 	}
 
 	List<Settled> refine(final List<Settled> found) {
+		if (isHopeless(found))
+			return found;
 		List<Settled> filaments = wholes(found);
 		boolean[] unclear = unclear(filaments);
 		for (int round = 0; round < SceneTuning.REFINE_ROUNDS; round++)
@@ -51,6 +53,19 @@ final class SceneRefinement {
 			if (u)
 				return besideWhatLiesStill(filaments);
 		return filaments;
+	}
+
+	/** Where hardly any light is explained, following one filament again explains no more of it. */
+	private boolean isHopeless(final List<Settled> found) {
+		final boolean[][] clear = ScenePass.of(found).clear(line, workers);
+		double all = 0, explained = 0;
+		for (int k = 0; k < clear.length; k++)
+			for (int t = 0; t < clear[k].length; t++) {
+				final double length = found.get(k).chains().get(t).length();
+				all += length;
+				explained += clear[k][t] ? length : 0;
+			}
+		return explained < SceneTuning.HOPELESS_CLEAR * all;
 	}
 
 	/** Filaments that always touch may be one clamped filament that lies on itself. */

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Random;
 
@@ -61,7 +62,7 @@ class BothWaysTest {
 		// Lost in frame 4, found again in frame 8.
 		for (int t = 3; t < 7; t++)
 			chains.set(t, glider(t).shifted(0, 14));
-		both(gliders()).settle(chains, chains, Progress.NONE);
+		both(gliders()).settle(chains, chains, all(chains), Progress.NONE);
 		for (int t = 0; t < FRAMES; t++) {
 			final int frame = t;
 			assertEquals(LENGTH, chains.get(t).length(), 1e-9);
@@ -76,7 +77,7 @@ class BothWaysTest {
 		// Farther off than a fit finds back, and to the last frame.
 		for (int t = 0; t < FRAMES; t++)
 			(t < 6 ? other : chains).set(t, glider(t).shifted(0, 25));
-		both(gliders()).settle(chains, other, Progress.NONE);
+		both(gliders()).settle(chains, other, all(chains), Progress.NONE);
 		for (int t = 0; t < FRAMES; t++)
 			assertTrue(chains.get(t).farthest(glider(t)) < 1.5, "frame " + (t + 1));
 	}
@@ -84,8 +85,14 @@ class BothWaysTest {
 	@Test
 	void whatIsRightStaysAsItIs() {
 		final List<Chain> chains = gliders(), before = List.copyOf(chains);
-		both(before).settle(chains, chains, Progress.NONE);
+		both(before).settle(chains, chains, all(chains), Progress.NONE);
 		for (int t = 0; t < FRAMES; t++)
 			assertSame(before.get(t), chains.get(t), "frame " + (t + 1));
+	}
+
+	private static BitSet all(final List<Chain> chains) {
+		final BitSet all = new BitSet();
+		all.set(0, chains.size());
+		return all;
 	}
 }

@@ -77,6 +77,26 @@ class FreeAgainTest {
 	}
 
 	@Test
+	void whereAGliderIsBackOnItsKnownCourseThatIsKept() {
+		final SceneLine line = line(LineTables.together(LineModel.uniform(Kind.ADDITIVE, 1.4, 1)));
+		final List<List<Chain>> known = new ArrayList<>();
+		final boolean[] clear = new boolean[FRAMES];
+		for (int t = 0; t < FRAMES; t++) {
+			clear[t] = t < OPEN || t > OPEN + 2;
+			known.add(List.of(Chain.inScene(glider(clear[t] ? t : OPEN - 1).polyline(), LENGTH)));
+		}
+		final SceneSettler.Settled found = new FreeAgain(line, Workers.HERE, Progress.NONE)
+			.follow(new ScenePass(0, known), 0, clear).orElseThrow();
+		for (int t = 0; t < FRAMES; t++) {
+			final double off = SceneSeed.oneWay(found.chains().get(t).polyline(),
+				glider(t).polyline());
+			assertTrue(off < 1.5, "frame " + (t + 1) + ": " + off);
+			assertTrue(t < OPEN || t > OPEN + 2 || found.gap()[t] < Double.POSITIVE_INFINITY);
+		}
+		assertEquals(Double.POSITIVE_INFINITY, found.gap()[1]);
+	}
+
+	@Test
 	void whatIsNeverClearForLongIsNotFollowedAgain() {
 		final SceneLine line = line(LineTables.together(LineModel.uniform(Kind.ADDITIVE, 1.4, 1)));
 		final List<List<Chain>> known = new ArrayList<>();

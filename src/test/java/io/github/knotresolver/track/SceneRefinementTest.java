@@ -105,4 +105,13 @@ class SceneRefinementTest {
 		assertEquals(List.of(2), ScenePass.of(found).touching(2));
 		assertSame(found, refinement(movie).refine(found));
 	}
+
+	@Test
+	void whereHardlyAnythingIsExplainedNothingIsTriedAgain() {
+		final List<List<Chain>> movie = IntStream.range(0, FRAMES)
+			.mapToObj(t -> List.of(part(looped(t), 0, 99))).toList();
+		final List<Settled> found = List.of(followed(t -> part(looped(t), 0, 49)),
+			followed(t -> part(looped(t), 60, 99)));
+		assertSame(found, refinement(movie).refine(found));
+	}
 }
