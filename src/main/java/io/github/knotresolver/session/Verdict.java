@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.contour.EqualArcDistance;
 import io.github.knotresolver.geometry.Polyline;
@@ -18,6 +19,8 @@ import io.github.knotresolver.model.Observation;
 final class Verdict {
 
 	private static final String MOSTLY_DOUBTFUL = "Doubtful: the filament is in doubt in many other frames, and they tell about this one.";
+
+	private static final String DOUBTED_BESIDE = "Doubtful: the filament is in doubt in the frames before and after this one.";
 
 	private Verdict() {
 	}
@@ -52,7 +55,7 @@ final class Verdict {
 
 	/**
 	 * The frames of a movie tell about each other by length and motion: a contour cannot be sure
-	 * where the filament is in doubt in most other frames.
+	 * where the filament is in doubt in most other frames, nor where it is so just before and after.
 	 *
 	 * @param frames of one filament, in order of time
 	 * @return the same contours, with confidences that are never raised; what the user said stays
@@ -63,9 +66,23 @@ final class Verdict {
 			return frames;
 		final double most = Math.max(SessionTuning.LIKELY,
 			SessionTuning.SURE_BY_OTHERS * likely(all) / all.size());
-		return frames.stream()
-			.map(o -> o.status() == FrameStatus.RESOLVED ? o.atMost(most, MOSTLY_DOUBTFUL) : o)
-			.toList();
+		return IntStream.range(0, frames.size()).mapToObj(i -> {
+			final Observation o = frames.get(i);
+			return o.status() == FrameStatus.RESOLVED
+				? o.atMost(most, MOSTLY_DOUBTFUL).atMost(beside(frames, i), DOUBTED_BESIDE)
+				: o;
+		}).toList();
+	}
+
+	/** The most that can be believed of a contour as the frames before and after it are. */
+	private static double beside(final List<Observation> frames, final int i) {
+		if (i < 1 || i + 1 == frames.size())
+			return 1;
+		final List<Observation> both = followed(List.of(frames.get(i - 1), frames.get(i + 1)));
+		return both.size() < 2
+			? 1
+			: Math.max(SessionTuning.LIKELY,
+				Math.max(both.get(0).confidence(), both.get(1).confidence()));
 	}
 
 	private static List<Observation> followed(final List<Observation> frames) {

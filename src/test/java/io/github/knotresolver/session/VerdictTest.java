@@ -71,6 +71,19 @@ class VerdictTest {
 	}
 
 	@Test
+	void noContourIsSureBetweenTwoThatAreInDoubt() {
+		final double[] confidence = {0.99, 0.99, 0.7, 0.98, 0.6, 0.99, 0.99, 0.99, 0.3, 0.97, 0.2,
+			0.99};
+		final List<Observation> given = track(1, t -> confidence[t]).frames();
+		final List<Observation> doubted = Verdict.doubted(given);
+		assertEquals(0.7, doubted.get(3).confidence());
+		assertTrue(doubted.get(3).reason().contains("before and after"), doubted.get(3).reason());
+		assertEquals(0.5, doubted.get(9).confidence());
+		for (final int same : new int[]{0, 1, 2, 4, 5, 6, 7, 8, 10, 11})
+			assertEquals(given.get(same), doubted.get(same));
+	}
+
+	@Test
 	void fewFramesSayNothingAboutEachOther() {
 		final List<Observation> few = track(1, t -> t < 1 ? 0.99 : 0.1).frames().subList(0, 4);
 		assertEquals(few, Verdict.doubted(few));
