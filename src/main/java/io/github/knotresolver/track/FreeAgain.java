@@ -46,8 +46,11 @@ final class FreeAgain {
 			return Optional.empty();
 		final List<Priced> courses = new ArrayList<>();
 		final List<Chain> known = pass.filament(k).stream().map(FreeAgain::supple).toList();
+		final boolean[] sure = new boolean[clear.length];
+		for (int t = 0; t < sure.length; t++)
+			sure[t] = clear[t] && known.get(t).links() == known.get(run[0]).links();
 		for (final boolean bendsOnce : new boolean[]{false, true})
-			courses.add(course(pass, k, known, clear, run, bendsOnce));
+			courses.add(course(pass, k, known, sure, run, bendsOnce));
 		courses.sort(Comparator.comparingDouble(Priced::sum));
 		final Priced best = courses.get(0), other = courses.get(1);
 		final BitSet all = new BitSet();
@@ -138,9 +141,7 @@ final class FreeAgain {
 				next = t;
 			}
 			final boolean isLast = next + step < 0 || next + step >= n;
-			start = isLast || Math.abs(next - end) < SceneTuning.AGAIN_BACK
-				? next
-				: next - (SceneTuning.AGAIN_BACK - 1) * step;
+			start = isLast ? next : next - (SceneTuning.AGAIN_BACK - 1) * step;
 		}
 	}
 
@@ -177,11 +178,19 @@ final class FreeAgain {
 		return end;
 	}
 
-	/** Whether a course was where the filament is known, and all was clear, for some frames. */
+	/**
+	 * Whether a course was where the filament is known, and all was clear, for some frames, and stays
+	 * so for some.
+	 */
 	private static boolean isKnown(final Course course, final int start, final int end,
 		final int step, final List<Chain> known, final boolean[] clear) {
 		if (Math.abs(end - start) < 2 * SceneTuning.AGAIN_BACK)
 			return false;
+		for (int i = 1; i <= SceneTuning.AGAIN_CLEAR; i++) {
+			final int t = end + i * step;
+			if (t >= 0 && t < clear.length && !clear[t])
+				return false;
+		}
 		Course at = course;
 		for (int i = 0; i < SceneTuning.AGAIN_BACK; i++) {
 			final int t = end - i * step;
