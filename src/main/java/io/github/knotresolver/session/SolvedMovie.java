@@ -130,8 +130,8 @@ final class SolvedMovie {
 	/** Whether several filaments may be one that lies on itself, or one that was taken to pieces. */
 	private static boolean mayBeOne(final SceneTracks scene, final Settings settings,
 		final PreparedMovie prepared) {
-		return settings.anchor() != AnchorChoice.FREE && scene.filaments().size() > 1
-			&& settings.fitsTrails()
+		return settings.anchor() != AnchorChoice.FREE
+			&& (scene.filaments().size() > 1 || scene.inPieces()) && settings.fitsTrails()
 			&& (isDoubtful(scene)
 				? SingleFilament.isMostlyOneObject(prepared.frames())
 				: SingleFilament.isOneObject(prepared.frames()));

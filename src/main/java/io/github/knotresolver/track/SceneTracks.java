@@ -22,9 +22,12 @@ import io.github.knotresolver.track.SceneSettler.Settled;
  *
  * @param model what a line looks like
  * @param filaments the filaments: clamped ones first, then the longest
+ * @param inPieces whether something that is too short to be a filament, but may be a part of one,
+ *          stays beside a filament
  * @param notes what a user should know, a sentence each
  */
-public record SceneTracks(LineModel model, List<Filament> filaments, List<String> notes) {
+public record SceneTracks(LineModel model, List<Filament> filaments, boolean inPieces,
+	List<String> notes) {
 
 	/** Clamped filaments first, then the longest. */
 	private static final Comparator<Filament> ORDER = Comparator
@@ -110,16 +113,19 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 		}
 		final List<Filament> filaments = new ArrayList<>();
 		final Specks specks = Specks.of(chains, line.tables().model().sigma());
+		boolean inPieces = false;
 		for (int k = 0; k < usual.length; k++)
-			if (!specks.has(chains.get(k)))
+			if (!specks.has(chains.get(k))) {
+				inPieces |= specks.stayBeside(chains.get(k));
 				filaments.add(new Filament(ends.get(k).clamped(), ends.get(k).roams(),
 					chains.get(k).get(0).length(), settled.get(k).lengthError(),
 					specks.doubted(chains.get(k),
 						ends.get(k).doubted(SceneConfidence.together(observed.get(k))))));
+			}
 		filaments.sort(ORDER);
 		final List<String> notes = new ArrayList<>(new DoubtfulEpisodes(filaments).notes());
 		notes.addAll(specks.notes());
-		return new SceneTracks(line.tables().model(), filaments, notes);
+		return new SceneTracks(line.tables().model(), filaments, inPieces, notes);
 	}
 
 	/** For each filament the share of frames in which it is not clear. */
@@ -167,7 +173,7 @@ public record SceneTracks(LineModel model, List<Filament> filaments, List<String
 			"The filament at the point that was told is held nowhere: both of its ends go far. It was followed as a free one"
 				+ (filaments.size() > 1 ? ", one of " + filaments.size() + " filaments." : ".")));
 		one.addAll(new DoubtfulEpisodes(List.of(filament)).notes());
-		return new SceneTracks(model, List.of(filament), one);
+		return new SceneTracks(model, List.of(filament), inPieces, one);
 	}
 
 	private static double haste(final List<Chain> chains, final int t) {

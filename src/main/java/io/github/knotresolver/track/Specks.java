@@ -48,12 +48,16 @@ record Specks(List<List<Chain>> chains, double sigma) {
 	 * @param observed what was said of it
 	 */
 	List<Observation> doubted(final List<Chain> filament, final List<Observation> observed) {
+		return stayBeside(filament)
+			? observed.stream().map(o -> o.atMost(TrackTuning.GUESSED, WHY)).toList()
+			: observed;
+	}
+
+	/** Whether a piece of line, longer than a spot, stays beside a filament. */
+	boolean stayBeside(final List<Chain> filament) {
 		final double width = LineAppearance.FULL_WIDTH * sigma;
-		return chains.stream()
-			.noneMatch(c -> c.get(0).length() > SceneTuning.SPECK_LINE * sigma
-				&& staysBeside(c, filament, width))
-					? observed
-					: observed.stream().map(o -> o.atMost(TrackTuning.GUESSED, WHY)).toList();
+		return chains.stream().anyMatch(c -> c.get(0).length() > SceneTuning.SPECK_LINE * sigma
+			&& staysBeside(c, filament, width));
 	}
 
 	private static boolean staysBeside(final List<Chain> piece, final List<Chain> filament,

@@ -55,6 +55,13 @@ class SpecksTest {
 	}
 
 	@Test
+	void aFilamentIsInPiecesIfAPieceOfLineStaysBesideIt() {
+		assertTrue(Specks.of(List.of(FILAMENT, still(102, 30, 15)), SIGMA).stayBeside(FILAMENT));
+		assertFalse(Specks.of(List.of(FILAMENT, still(120, 30, 15)), SIGMA).stayBeside(FILAMENT));
+		assertFalse(Specks.of(List.of(FILAMENT), SIGMA).stayBeside(FILAMENT));
+	}
+
+	@Test
 	void whatIsApartOrASpotOrPassesByIsNone() {
 		assertEquals(0.99, confidence(still(104, 30, 15)));
 		assertEquals(0.99, confidence(still(50, 33, 7)));
