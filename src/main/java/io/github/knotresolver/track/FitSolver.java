@@ -12,6 +12,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import io.github.knotresolver.fit.FilamentEstimate;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.LineModel;
+import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.model.Constraint;
 import io.github.knotresolver.progress.Progress;
 import io.github.knotresolver.progress.Workers;
@@ -62,7 +63,8 @@ public final class FitSolver {
 		return new Track(estimate.fixedEnd(), estimate.length(), estimate.lengthError(),
 			GuessedLength.doubtedAtBreak(GuessedLength.doubted(
 				StrayStart.doubted(TurnedRound.doubted(solved.frames()), estimate.model().sigma()),
-				estimate), lengths, estimate.model()),
+				estimate, pools.light().stream().anyMatch(NormalizedFrame::isClipped)), lengths,
+				estimate.model()),
 			notes);
 	}
 

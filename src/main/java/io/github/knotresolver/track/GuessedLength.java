@@ -11,13 +11,15 @@ import io.github.knotresolver.image.LineAppearance;
 import io.github.knotresolver.model.Observation;
 
 /**
- * Whether a filament's length is a guess: it is not evenly bright, or its frames are few, and its tip
- * lies on itself in nearly all of them, so that what is brighter there may be a brighter part of it
- * or two strands; or the light of its ends does not say where it ends.
+ * Whether a filament's length is a guess: it is not evenly bright, or clipped, or its frames are few,
+ * and its tip lies on itself in nearly all of them, so that one strand there cannot be told from two;
+ * or the light of its ends does not say where it ends.
  */
 final class GuessedLength {
 
 	private static final String WHY = "Doubtful: the filament is not evenly bright and its tip lies on it in nearly all frames, so its length is a guess.";
+
+	private static final String WHY_CLIPPED = "Doubtful: the picture is clipped, so that two strands are no brighter than one, and the filament's tip lies on it in nearly all frames; so its length is a guess.";
 
 	private static final String WHY_FEW = "Doubtful: the movie is short and the filament's tip lies on it in nearly all frames, so its length is a guess.";
 
@@ -33,22 +35,24 @@ final class GuessedLength {
 	 *
 	 * @param frames of one filament, in order of time
 	 * @param estimate what the movie says about the filament
+	 * @param clipped whether light is missing where strands lie on each other
 	 * @return the same contours, none of which is believed if their length is a guess
 	 */
 	static List<Observation> doubted(final List<Observation> frames,
-		final FilamentEstimate estimate) {
+		final FilamentEstimate estimate, final boolean clipped) {
 		if (estimate.guessed())
 			return frames.stream().map(o -> o.atMost(TrackTuning.GUESSED, WHY_ENDS)).toList();
 		final LineModel model = estimate.model();
 		final List<Polyline> contours = frames.stream().flatMap(f -> f.contour().stream()).toList();
 		final boolean few = contours.size() < TrackTuning.HIDDEN_FEW;
-		if (model.isEven() && !few)
+		if (model.isEven() && !clipped && !few)
 			return frames;
 		final double apart = few ? TrackTuning.TIP_APART * width(model) : width(model);
 		final long hidden = contours.stream().filter(c -> isHidden(c, apart)).count();
+		final String why = few ? WHY_FEW : clipped ? WHY_CLIPPED : WHY;
 		return hidden <= TrackTuning.NEARLY_ALL * contours.size()
 			? frames
-			: frames.stream().map(o -> o.atMost(TrackTuning.GUESSED, few ? WHY_FEW : WHY)).toList();
+			: frames.stream().map(o -> o.atMost(TrackTuning.GUESSED, why)).toList();
 	}
 
 	/**
