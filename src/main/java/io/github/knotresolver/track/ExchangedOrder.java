@@ -10,7 +10,8 @@ import io.github.knotresolver.image.LineAppearance;
  * Frames in which a filament may run along the same lines in another order. Two strands that lie
  * beside each other between two places cross at both or only touch there; what differs is small,
  * but the same in all frames that follow each other, so that their sum says more than is known.
- * If many of these frames are by themselves cheaper in the other order, the order is a guess in all.
+ * If many of these frames are by themselves cheaper in the other order, or most a little, the order is
+ * a guess in all.
  */
 final class ExchangedOrder {
 
@@ -33,17 +34,22 @@ final class ExchangedOrder {
 		final boolean[] guessed = new boolean[pools.size()];
 		int from = 0;
 		int cheaper = 0;
+		int notDearer = 0;
 		for (int t = 0; t <= guessed.length; t++) {
 			final double more = t == guessed.length
 				? Double.POSITIVE_INFINITY
 				: more(pools.get(t), path.choice()[t], width);
 			if (more == Double.POSITIVE_INFINITY) {
 				Arrays.fill(guessed, from, t,
-					cheaper > 0 && cheaper >= TrackTuning.EXCHANGED_OFTEN * (t - from));
+					cheaper > 0 && cheaper >= TrackTuning.EXCHANGED_OFTEN * (t - from)
+						|| notDearer > TrackTuning.EXCHANGED_MOSTLY * (t - from));
 				from = t + 1;
 				cheaper = 0;
-			} else
+				notDearer = 0;
+			} else {
 				cheaper += more < -TrackTuning.EXCHANGED_BETTER ? 1 : 0;
+				notDearer += more < 0 ? 1 : 0;
+			}
 		}
 		return guessed;
 	}

@@ -1011,6 +1011,12 @@ final class TrackTuning {
 	static final double EXCHANGED_OFTEN = 0.25;
 
 	/**
+	 * [share of the frames] ... or if in more of a row another order is cheaper by whatever little. Why:
+	 * light is the same for both by chance in half of the frames, and motion alone does not tell.
+	 */
+	static final double EXCHANGED_MOSTLY = 0.5;
+
+	/**
 	 * [line widths] ... and they differ if their points at equal arc length lie so far apart. Why:
 	 * strands of a wide line are told apart by less than its width.
 	 */

@@ -50,6 +50,12 @@ class ExchangedOrderTest {
 	}
 
 	@Test
+	void whereMostFramesAreALittleCheaperTheOrderIsAGuess() {
+		assertArrayEquals(new boolean[]{true, true, true, false, false},
+			guessed(touching(), 0.1, -0.1, -0.2, NONE, 0.1));
+	}
+
+	@Test
 	void aContourThatLiesElsewhereIsNoOtherOrder() {
 		final Chain aside = StrandExchangeTest.coil(14, true, false).shifted(4, 4);
 		assertArrayEquals(new boolean[]{false, false}, guessed(aside, -1, -5));
