@@ -61,10 +61,12 @@ public final class FitSolver {
 		notes.addAll(course.withLength(lengths).notes(pools.frames()));
 		final FilamentEstimate estimate = course.estimate();
 		return new Track(estimate.fixedEnd(), estimate.length(), estimate.lengthError(),
-			GuessedLength.doubtedAtBreak(GuessedLength.doubted(
-				StrayStart.doubted(TurnedRound.doubted(solved.frames()), estimate.model().sigma()),
-				estimate, pools.light().stream().anyMatch(NormalizedFrame::isClipped)), lengths,
-				estimate.model()),
+			GuessedLength.doubtedAtBreak(
+				GuessedLength.doubted(
+					StrayStart.doubted(TurnedRound.doubted(solved.frames()),
+						estimate.model().sigma()),
+					estimate, pools.light().stream().anyMatch(NormalizedFrame::isClipped)),
+				lengths, estimate.model()),
 			notes);
 	}
 

@@ -31,7 +31,8 @@ class GuessedLengthTest {
 		frames.set(4, Observation.without(5, FrameStatus.LOST, "Nothing."));
 		frames.set(7, new Observation(8, FrameStatus.CORRECTED, "Given by the user.",
 			frames.get(7).contour(), 0, 1, 0, 1));
-		final List<Observation> doubted = GuessedLength.doubted(frames, estimate(UNEVEN, false), false);
+		final List<Observation> doubted = GuessedLength.doubted(frames, estimate(UNEVEN, false),
+			false);
 		for (int t = 0; t < 20; t++) {
 			assertEquals(frames.get(t).contour(), doubted.get(t).contour());
 			assertEquals(t == 4 ? Double.NaN : t == 7 ? 1 : 0.5, doubted.get(t).confidence(),
@@ -42,19 +43,24 @@ class GuessedLengthTest {
 
 	@Test
 	void anEvenFilamentOrOneThatIsSeenToItsTipHasNone() {
-		assertEquals(frames(20, 0), GuessedLength.doubted(frames(20, 0), estimate(EVEN, false), false));
-		assertEquals(frames(12, 8), GuessedLength.doubted(frames(12, 8), estimate(UNEVEN, false), false));
+		assertEquals(frames(20, 0),
+			GuessedLength.doubted(frames(20, 0), estimate(EVEN, false), false));
+		assertEquals(frames(12, 8),
+			GuessedLength.doubted(frames(12, 8), estimate(UNEVEN, false), false));
 		assertTrue(GuessedLength.doubted(List.of(), estimate(UNEVEN, false), false).isEmpty());
 	}
 
 	@Test
 	void aFewFramesInWhichAnEvenFilamentLiesOnItselfDoNotTellItsLengthEither() {
-		for (final Observation o : GuessedLength.doubted(frames(9, 0), estimate(EVEN, false), false)) {
+		for (final Observation o : GuessedLength.doubted(frames(9, 0), estimate(EVEN, false),
+			false)) {
 			assertEquals(0.5, o.confidence());
 			assertTrue(o.reason().contains("the movie is short"));
 		}
-		assertEquals(frames(10, 0), GuessedLength.doubted(frames(10, 0), estimate(EVEN, false), false));
-		assertEquals(frames(6, 3), GuessedLength.doubted(frames(6, 3), estimate(EVEN, false), false));
+		assertEquals(frames(10, 0),
+			GuessedLength.doubted(frames(10, 0), estimate(EVEN, false), false));
+		assertEquals(frames(6, 3),
+			GuessedLength.doubted(frames(6, 3), estimate(EVEN, false), false));
 	}
 
 	@Test
@@ -70,7 +76,8 @@ class GuessedLengthTest {
 
 	@Test
 	void whereTheLightDoesNotSayWhereItEndsItHasOneToo() {
-		for (final Observation o : GuessedLength.doubted(frames(3, 9), estimate(EVEN, true), false)) {
+		for (final Observation o : GuessedLength.doubted(frames(3, 9), estimate(EVEN, true),
+			false)) {
 			assertEquals(0.5, o.confidence());
 			assertTrue(o.reason().contains("where the filament ends"));
 		}

@@ -45,7 +45,8 @@ class SceneTracksTest {
 		final List<FrameView> frames = new ArrayList<>();
 		final Random random = new Random(5);
 		for (int t = 0; t < FRAMES; t++)
-			frames.add(DrawnFrames.lit(t + 1, DrawnFrames.light(110, tables, chains), 0.05, random));
+			frames
+				.add(DrawnFrames.lit(t + 1, DrawnFrames.light(110, tables, chains), 0.05, random));
 		final boolean[][] clear = new boolean[2][FRAMES];
 		for (final boolean[] c : clear)
 			Arrays.fill(c, true);
