@@ -4,7 +4,7 @@ import os
 import re
 
 CURVES = ("L20_d25", "L15_d50", "L30_d50")
-# A filament that is a ring with its tip on it in all frames; each of these was lost, or silently wrong, once.
+# A filament that is a ring with its tip on it in all frames; each of these was lost or silently wrong, and some are lost.
 RING = "L10_d100"
 RING_CONDITIONS = ("base", "drift10", "field512", "hot", "clipped", "dimtip", "photons10")
 FOREIGN = ("static_cross", "glide_cross", "neigh1", "neigh3")

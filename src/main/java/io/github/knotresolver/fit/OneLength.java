@@ -70,11 +70,12 @@ record OneLength(double length, LineEstimate line) {
 			return false;
 		final double[] lengths = examples.stream().mapToDouble(e -> e.chain().length()).toArray();
 		final double usual = RobustStatistics.median(lengths);
+		final boolean equallyLong = RobustStatistics.median(Arrays.stream(lengths)
+			.map(l -> Math.abs(l / usual - 1)).toArray()) < FitTuning.ONE_LENGTH;
+		if (!equallyLong)
+			return false;
 		final LineEstimate fading = LineEstimator.fit(examples, line.model());
-		return RobustStatistics
-			.median(Arrays.stream(lengths).map(l -> Math.abs(l / usual - 1))
-				.toArray()) < FitTuning.ONE_LENGTH
-			&& fading.residual() - fading.noise() < FitTuning.FADING_MISFIT;
+		return fading.residual() - fading.noise() < FitTuning.FADING_MISFIT;
 	}
 
 	/** The length, and the brightness along it, that explain all best. O(rounds) fits of each. */

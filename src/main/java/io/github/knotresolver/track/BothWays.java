@@ -44,7 +44,7 @@ final class BothWays {
 	 *
 	 * @param chains the filament in all frames, with as many links in each; changed in place
 	 * @param other another course of it, which is tried as well; the same if there is none
-	 * @param open the frames to begin with; none is left
+	 * @param open the frames to begin with; those that are left, if any, when it stops
 	 * @param progress asked whether to stop
 	 */
 	void settle(final List<Chain> chains, final List<Chain> other, final BitSet open,

@@ -33,22 +33,22 @@ final class ExchangedOrder {
 		final double width = LineAppearance.FULL_WIDTH * sigma;
 		final boolean[] guessed = new boolean[pools.size()];
 		int from = 0;
+		int clearly = 0;
 		int cheaper = 0;
-		int notDearer = 0;
 		for (int t = 0; t <= guessed.length; t++) {
 			final double more = t == guessed.length
 				? Double.POSITIVE_INFINITY
 				: more(pools.get(t), path.choice()[t], width);
 			if (more == Double.POSITIVE_INFINITY) {
 				Arrays.fill(guessed, from, t,
-					cheaper > 0 && cheaper >= TrackTuning.EXCHANGED_OFTEN * (t - from)
-						|| notDearer > TrackTuning.EXCHANGED_MOSTLY * (t - from));
+					clearly > 0 && clearly >= TrackTuning.EXCHANGED_OFTEN * (t - from)
+						|| cheaper > TrackTuning.EXCHANGED_MOSTLY * (t - from));
 				from = t + 1;
+				clearly = 0;
 				cheaper = 0;
-				notDearer = 0;
 			} else {
-				cheaper += more < -TrackTuning.EXCHANGED_BETTER ? 1 : 0;
-				notDearer += more < 0 ? 1 : 0;
+				clearly += more < -TrackTuning.EXCHANGED_BETTER ? 1 : 0;
+				cheaper += more < 0 ? 1 : 0;
 			}
 		}
 		return guessed;

@@ -35,10 +35,11 @@ final class SceneRefinement {
 	}
 
 	List<Settled> refine(final List<Settled> found) {
-		if (isHopeless(found))
+		final boolean[][] clear = clear(found);
+		if (isHopeless(found, clear))
 			return found;
 		List<Settled> filaments = wholes(found);
-		boolean[] unclear = unclear(filaments);
+		boolean[] unclear = unclear(filaments == found ? clear : clear(filaments));
 		for (int round = 0; round < SceneTuning.REFINE_ROUNDS; round++)
 			for (int k = 0; k < filaments.size(); k++) {
 				progress.checkCancelled();
@@ -46,7 +47,7 @@ final class SceneRefinement {
 					continue;
 				final List<Settled> next = followedAgain(filaments, k, round == 0);
 				if (next != filaments)
-					unclear = unclear(next);
+					unclear = unclear(clear(next));
 				filaments = next;
 			}
 		for (final boolean u : unclear)
@@ -56,8 +57,7 @@ final class SceneRefinement {
 	}
 
 	/** Where hardly any light is explained, following one filament again explains no more of it. */
-	private boolean isHopeless(final List<Settled> found) {
-		final boolean[][] clear = ScenePass.of(found).clear(line, workers);
+	private static boolean isHopeless(final List<Settled> found, final boolean[][] clear) {
 		double all = 0, explained = 0;
 		for (int k = 0; k < clear.length; k++)
 			for (int t = 0; t < clear[k].length; t++) {
@@ -103,9 +103,12 @@ final class SceneRefinement {
 			.count() >= SceneTuning.CREDIBLE * filament.gap().length;
 	}
 
+	private boolean[][] clear(final List<Settled> filaments) {
+		return ScenePass.of(filaments).clear(line, workers);
+	}
+
 	/** For each filament whether the light around it is not explained in some frames. */
-	private boolean[] unclear(final List<Settled> filaments) {
-		final boolean[][] clear = ScenePass.of(filaments).clear(line, workers);
+	private static boolean[] unclear(final boolean[][] clear) {
 		final boolean[] unclear = new boolean[clear.length];
 		for (int k = 0; k < unclear.length; k++) {
 			int frames = 0;

@@ -52,11 +52,8 @@ class GuessedLengthTest {
 
 	@Test
 	void aFewFramesInWhichAnEvenFilamentLiesOnItselfDoNotTellItsLengthEither() {
-		for (final Observation o : GuessedLength.doubted(frames(9, 0), estimate(EVEN, false),
-			false)) {
-			assertEquals(0.5, o.confidence());
-			assertTrue(o.reason().contains("the movie is short"));
-		}
+		assertGuessed("the movie is short",
+			GuessedLength.doubted(frames(9, 0), estimate(EVEN, false), false));
 		assertEquals(frames(10, 0),
 			GuessedLength.doubted(frames(10, 0), estimate(EVEN, false), false));
 		assertEquals(frames(6, 3),
@@ -65,22 +62,15 @@ class GuessedLengthTest {
 
 	@Test
 	void aClippedFilamentThatAlwaysLiesOnItselfHasOne() {
-		for (final Observation o : GuessedLength.doubted(frames(20, 0), estimate(EVEN, false),
-			true)) {
-			assertEquals(0.5, o.confidence());
-			assertTrue(o.reason().contains("clipped"));
-		}
+		assertGuessed("clipped", GuessedLength.doubted(frames(20, 0), estimate(EVEN, false), true));
 		assertEquals(frames(12, 8),
 			GuessedLength.doubted(frames(12, 8), estimate(EVEN, false), true));
 	}
 
 	@Test
 	void whereTheLightDoesNotSayWhereItEndsItHasOneToo() {
-		for (final Observation o : GuessedLength.doubted(frames(3, 9), estimate(EVEN, true),
-			false)) {
-			assertEquals(0.5, o.confidence());
-			assertTrue(o.reason().contains("where the filament ends"));
-		}
+		assertGuessed("where the filament ends",
+			GuessedLength.doubted(frames(3, 9), estimate(EVEN, true), false));
 	}
 
 	/** A tip that comes to lie on the filament, and one that breaks off while it does. */
@@ -109,6 +99,13 @@ class GuessedLengthTest {
 		final List<Observation> wound = frames(20, 0);
 		assertEquals(wound,
 			GuessedLength.doubtedAtBreak(wound, LengthCourse.constant(100, 20), EVEN));
+	}
+
+	private static void assertGuessed(final String why, final List<Observation> doubted) {
+		for (final Observation o : doubted) {
+			assertEquals(0.5, o.confidence());
+			assertTrue(o.reason().contains(why));
+		}
 	}
 
 	private static LengthCourse brokenAt(final int at, final int frames) {
