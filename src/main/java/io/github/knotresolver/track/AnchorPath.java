@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.FitSettings;
@@ -122,20 +123,22 @@ record AnchorPath(List<Point> places, double[] weights) {
 		if (seen.size() < TrackTuning.SETTLING)
 			return moves(places, TrackTuning.STILL_SKELETON);
 		return moves(seen.stream().map(s -> s.chain().start()).toList(), TrackTuning.STILL_END)
-			|| drifts(seen);
+			|| drifts(seen.stream().mapToDouble(Seen::index).toArray(),
+				seen.stream().map(s -> s.chain().start()).toList());
 	}
 
-	/** Whether the end goes one way, by far more than it strays from that. */
-	private static boolean drifts(final List<Seen> seen) {
-		final double[] at = seen.stream().mapToDouble(Seen::index).toArray();
-		final RobustLine x = RobustLine.through(at,
-			seen.stream().mapToDouble(s -> s.chain().start().x()).toArray()),
-			y = RobustLine.through(at,
-				seen.stream().mapToDouble(s -> s.chain().start().y()).toArray());
+	/**
+	 * Whether an end goes one way, by far more than it strays from that.
+	 *
+	 * @param at indices of frames, in order
+	 * @param ends where it is in each of them, in pixels
+	 */
+	static boolean drifts(final double[] at, final List<Point> ends) {
+		final RobustLine x = RobustLine.through(at, ends.stream().mapToDouble(Point::x).toArray()),
+			y = RobustLine.through(at, ends.stream().mapToDouble(Point::y).toArray());
 		final double way = Math.hypot(x.slope(), y.slope()) * (at[at.length - 1] - at[0]);
-		final double stray = RobustStatistics.median(seen.stream()
-			.mapToDouble(
-				s -> s.chain().start().distanceTo(new Point(x.at(s.index()), y.at(s.index()))))
+		final double stray = RobustStatistics.median(IntStream.range(0, at.length)
+			.mapToDouble(i -> ends.get(i).distanceTo(new Point(x.at(at[i]), y.at(at[i]))))
 			.toArray());
 		return way > Math.max(TrackTuning.STILL_END, TrackTuning.STEADY * stray);
 	}
@@ -209,13 +212,37 @@ record AnchorPath(List<Point> places, double[] weights) {
 			return still(pivot.get(), places.size());
 		final int n = places.size();
 		final double[] x = new double[n], y = new double[n], noise = new double[n];
+		final boolean[] known = known(begin);
 		for (int t = 0; t < n; t++) {
-			final Point seen = begin.get(t).map(Chain::start).orElse(at(t));
+			final Point seen = known[t] ? begin.get(t).orElseThrow().start() : at(t);
 			x[t] = seen.x();
 			y[t] = seen.y();
-			noise[t] = begin.get(t).isPresent() ? TrackTuning.FIT_NOISE : TrackTuning.END_NOISE;
+			noise[t] = known[t] ? TrackTuning.FIT_NOISE : TrackTuning.END_NOISE;
 		}
 		return walk(x, y, noise);
+	}
+
+	/**
+	 * Where contours that are not held begin at the fixed end: one or two frames that say that it was
+	 * elsewhere and came back, farther than it strays, show another way round.
+	 */
+	private static boolean[] known(final List<Optional<Chain>> begin) {
+		final double[] off = IntStream.range(0, begin.size()).mapToDouble(t -> astray(begin, t))
+			.toArray();
+		final double most = Math.max(TrackTuning.STILL_SKELETON,
+			TrackTuning.STEADY * RobustStatistics.upperMedian(off, 0));
+		final boolean[] known = new boolean[off.length];
+		for (int t = 0; t < off.length; t++)
+			known[t] = begin.get(t).isPresent() && off[t] <= most;
+		return known;
+	}
+
+	/** How far from where those of two frames before and after usually begin, in pixels. */
+	private static double astray(final List<Optional<Chain>> begin, final int t) {
+		final List<Point> near = begin
+			.subList(Math.max(0, t - 2), Math.min(begin.size(), t + 3)).stream()
+			.flatMap(Optional::stream).map(Chain::start).toList();
+		return begin.get(t).map(c -> c.start().distanceTo(RobustStatistics.median(near))).orElse(0.);
 	}
 
 	/**

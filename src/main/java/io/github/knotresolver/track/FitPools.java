@@ -1,11 +1,13 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 
 import io.github.knotresolver.candidate.CandidateSet;
 import io.github.knotresolver.contour.ContourBuilder;
@@ -215,8 +217,8 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 	 * A fixed end that moves is once more followed through where contours begin that are not held:
 	 * those that are held begin where it was thought to be. They may have any length, too: one that is
 	 * not quite right moves no end then. One that was thought to stay is followed if the contours of
-	 * most frames begin elsewhere, no farther than skeletons leave open, and are better so than by
-	 * chance.
+	 * most frames begin elsewhere and are better so than by chance: no farther than skeletons leave
+	 * open, or farther and farther one way.
 	 *
 	 * @param doubtful whether little says that it moves, or stays
 	 * @param workers threads
@@ -239,12 +241,24 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 		final List<Freed> all = freed.stream().flatMap(Optional::stream).toList();
 		final double noise = course.noise();
 		return !all.isEmpty()
-			&& all.stream().filter(f -> f.moved < TrackTuning.STILL_SKELETON)
-				.count() > TrackTuning.NEAR_STILL * all.size()
 			&& RobustStatistics.median(all.stream().mapToDouble(Freed::gain)
 				.toArray()) > TrackTuning.SURELY_ELSEWHERE * FREEDOM * noise * noise
+			&& (isNearby(all) || drifts(freed));
+	}
+
+	private static boolean isNearby(final List<Freed> all) {
+		return all.stream().filter(f -> f.moved < TrackTuning.STILL_SKELETON)
+			.count() > TrackTuning.NEAR_STILL * all.size()
 			&& AnchorPath.moves(all.stream().map(f -> f.chain.start()).toList(),
 				TrackTuning.STILL_END);
+	}
+
+	/** A stage takes the fixed end along, one way; what lies beside it does not. */
+	private static boolean drifts(final List<Optional<Freed>> freed) {
+		final int[] seen = IntStream.range(0, freed.size()).filter(t -> freed.get(t).isPresent())
+			.toArray();
+		return AnchorPath.drifts(Arrays.stream(seen).asDoubleStream().toArray(),
+			Arrays.stream(seen).mapToObj(t -> freed.get(t).orElseThrow().chain.start()).toList());
 	}
 
 	/** The cheapest contour of a frame, or the graph's best, if it begins where it likes. */
@@ -263,13 +277,26 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 					FitProposals.stiffLinks(links()));
 				final Chain start = new FitProposals(frames.get(t), course.in(t), links(), false)
 					.start(seen.get());
-				final Fit own = free.fit(FitProposals.bent(start, stiff), Optional.empty());
+				final Fit own = rightWayRound(
+					free.fit(FitProposals.bent(start, stiff), Optional.empty()), place, free);
 				freed = own.energy() < freed.energy() ? own : freed;
 			}
 			return new Freed(freed.chain(), freed.chain().start().distanceTo(place),
 				free.price(best.chain()).energy() - freed.energy(),
 				-freed.light() / freed.chain().length());
 		});
+	}
+
+	/**
+	 * Light seldom tells at which end a contour begins: one that is hardly dearer from its other end
+	 * begins there if that is where the fixed end is known to be.
+	 */
+	static Fit rightWayRound(final Fit fit, final Point place, final FilamentFitter free) {
+		final Chain turned = fit.chain().reversed();
+		if (turned.start().distanceTo(place) > TrackTuning.STILL_SKELETON)
+			return fit;
+		final Fit other = free.price(turned);
+		return other.energy() < fit.energy() + TrackTuning.JUMPED ? other : fit;
 	}
 
 	private List<Fit> jumped(final int t, final Chain freed) {

@@ -15,8 +15,10 @@ import io.github.knotresolver.fit.LineModel;
 import io.github.knotresolver.fit.NormalizedFrame;
 import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.geometry.Point;
+import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.Node;
 import io.github.knotresolver.graph.SkeletonGraph;
+import io.github.knotresolver.image.LineAppearance;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.image.StillPicture;
 import io.github.knotresolver.progress.Progress;
@@ -99,8 +101,8 @@ public final class StillLines {
 
 	/**
 	 * The chains of the still picture that may be lines, beside the others. Where a filament runs
-	 * into a line and out of it, they may have exchanged their parts; by itself, and stiff, the
-	 * line goes on as it came. Then the others follow.
+	 * into a line and out of it, they may have exchanged their parts; by itself, straight where it can
+	 * be, and stiff, the line goes on as it came. Then the others follow.
 	 */
 	private static List<Chain> chains(final SceneLine still, final Predicate<Chain> mayBe) {
 		final List<Chain> found = new SceneSeeder(still.tables(), SceneWeights.DEFAULT)
@@ -111,12 +113,21 @@ public final class StillLines {
 		final Scene scene = still.scene(0, found);
 		for (int k = 0; k < found.size(); k++)
 			scene.take(k);
-		for (final int k : lines)
+		for (final int k : lines) {
+			scene.put(k, straight(still, found.get(k)));
 			fit(scene, k, STIFF);
+		}
 		for (int sweep = 0; sweep < SceneTuning.STILL_SWEEPS; sweep++)
 			for (int k = 0; k < found.size(); k++)
 				fit(scene, k, lines.contains(k) ? STIFF : SceneWeights.DEFAULT);
 		return lines.stream().map(scene::chain).toList();
+	}
+
+	private static Chain straight(final SceneLine still, final Chain line) {
+		final Polyline way = new StraightWay(still.frames().get(0).light(),
+			LineAppearance.FULL_WIDTH * still.tables().model().sigma(), SceneTuning.STILL_BRIGHT)
+				.of(line.polyline());
+		return Chain.inScene(way, way.length());
 	}
 
 	private static void fit(final Scene scene, final int k, final SceneWeights weights) {

@@ -3,6 +3,7 @@ package io.github.knotresolver.track;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Optional;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
@@ -42,6 +43,32 @@ class AnchorPathTest {
 		final AnchorPath path = settled(60,
 			t -> new Point(20 + (t % 2 == 0 ? 1.5 : -1.5), t % 3 == 0 ? 9 : 11));
 		assertTrue(path.at(10).x() > 21 && path.at(11).x() < 19, path.places().toString());
+	}
+
+	/** Contours that are not held, in a movie whose stage drifts. */
+	private static AnchorPath refined(final IntFunction<Point> end) {
+		return AnchorPath.still(new Point(20, 10), FRAMES).refined(
+			IntStream.range(0, FRAMES).mapToObj(t -> Optional.of(from(end.apply(t)))).toList());
+	}
+
+	@Test
+	void contoursThatBeginElsewhereForAFrameOrTwoMoveNothing() {
+		final IntFunction<Point> drift = t -> new Point(20 + 0.2 * t, 10 - 0.1 * t);
+		final AnchorPath path = refined(t -> t == 20 || t == 21 || t == 40
+			? new Point(drift.apply(t).x() - 13, drift.apply(t).y() + 2)
+			: drift.apply(t));
+		for (int t = 0; t < FRAMES; t++)
+			assertTrue(path.at(t).distanceTo(drift.apply(t)) < 0.5,
+				"frame " + t + ": " + path.at(t));
+	}
+
+	@Test
+	void anEndThatJumpsForGoodIsFollowed() {
+		final IntFunction<Point> jump = t -> new Point(t < 30 ? 20 + 0.02 * t : 33, 10);
+		final AnchorPath path = refined(jump);
+		for (int t = 0; t < FRAMES; t++)
+			assertTrue(path.at(t).distanceTo(jump.apply(t)) < 0.5,
+				"frame " + t + ": " + path.at(t));
 	}
 
 	/** The first so many of the frames are open, and the end is seen there. */

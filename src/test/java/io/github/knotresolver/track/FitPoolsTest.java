@@ -21,6 +21,8 @@ import io.github.knotresolver.candidate.CandidateSet;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.DrawnMovie;
 import io.github.knotresolver.fit.FilamentEstimate;
+import io.github.knotresolver.fit.FilamentEstimator;
+import io.github.knotresolver.fit.FilamentFitter;
 import io.github.knotresolver.fit.Fit;
 import io.github.knotresolver.fit.FitSettings;
 import io.github.knotresolver.fit.LineModel;
@@ -244,9 +246,15 @@ class FitPoolsTest {
 
 	/** Frames in which the fixed end jitters by so many pixels, and was thought to stay. */
 	private static FitPools jittering(final double by) {
-		final FitPools held = held(t -> jitter(t, by),
-			t -> new Point(TRUTH.get(0).start().x() - TRUTH.get(t).start().x() - jitter(t, by).x(),
-				TRUTH.get(0).start().y() - TRUTH.get(t).start().y() - jitter(t, by).y()));
+		return thoughtStill(t -> jitter(t, by));
+	}
+
+	private static FitPools thoughtStill(final IntFunction<Point> carried) {
+		final Point first = TRUTH.get(0).start();
+		final FitPools held = held(carried, t -> {
+			final Point there = shifted(TRUTH.get(t).start(), carried, t);
+			return new Point(first.x() - there.x(), first.y() - there.y());
+		});
 		return new FitPools(held.frames(), held.light(), held.course().withNoise(0.05), held.sets(),
 			held.fits(), held.settings());
 	}
@@ -265,6 +273,39 @@ class FitPoolsTest {
 			final double off = off(settled.at(t), t, i -> jitter(frame, 2));
 			assertTrue(off < 0.8, "frame " + t + ": " + off + " px");
 		}
+	}
+
+	@ParameterizedTest
+	@ValueSource(doubles = {0.3, 0.9})
+	void oneThatDriftsIsFollowedHoweverFar(final double by) {
+		final IntFunction<Point> drift = t -> new Point(by * t, -0.6 * by * t);
+		final AnchorPath settled = thoughtStill(drift)
+			.withAnchorOfAll(true, Workers.HERE, Progress.NONE).anchor();
+		for (int t = 0; t < TRUTH.size(); t++) {
+			final double off = off(settled.at(t), t, drift);
+			assertTrue(off < 0.8, "frame " + t + ": " + off + " px");
+		}
+	}
+
+	/** Skeletons would have seen that; a filament beside it takes contours with it. */
+	@Test
+	void oneThatSeemsToGoFarAndComeBackIsNot() {
+		final FitPools held = jittering(6);
+		assertSame(held.course(), held.withAnchorOfAll(true, Workers.HERE, Progress.NONE));
+	}
+
+	@Test
+	void aContourThatLightDoesNotTurnBeginsAtTheFixedEnd() {
+		final DrawnMovie drawn = DrawnMovie.draw(TRUTH, List.of(), LINE, 0.05, 4);
+		final Chain right = TRUTH.get(3).divided(FilamentEstimator.links(LENGTH));
+		final FilamentFitter free = new FilamentFitter(drawn.frame(3), LINE,
+			FilamentEstimator.links(LENGTH), Optional.empty(), FitSettings.DEFAULT);
+		final Fit wrong = free.fit(right.reversed(), Optional.empty());
+		final Fit turned = FitPools.rightWayRound(wrong, right.start(), free);
+		assertTrue(turned.chain().start().distanceTo(right.start()) < 0.5);
+		assertEquals(wrong.energy(), turned.energy(), 0.1);
+		final Point elsewhere = new Point(right.start().x() + 5, right.start().y());
+		assertSame(wrong, FitPools.rightWayRound(wrong, elsewhere, free));
 	}
 
 	@Test

@@ -121,6 +121,31 @@ class StillLinesTest {
 					rod(10, 30, 0.25, 100).polyline()) < 0.5);
 	}
 
+	/** Its clamp lies in a ring that hardly moves, which bulges over the line. */
+	private static Chain ringed(final int t) {
+		final double[] x = new double[130], y = new double[130];
+		x[0] = 50;
+		y[0] = 46;
+		for (int i = 1; i < x.length; i++) {
+			final double angle = i < 85
+				? 0.4 + i / 13.
+				: 0.4 + 85 / 13. + 0.02 * (i - 85) * Math.sin(0.6 * t);
+			x[i] = x[i - 1] + Math.cos(angle);
+			y[i] = y[i - 1] + Math.sin(angle);
+		}
+		return Chain.inScene(Polyline.of(x, y), 129);
+	}
+
+	@Test
+	void aLineGoesStraightOnThroughARingThatHardlyMoves() {
+		final Chain line = rod(10, 50, 0.05, 100);
+		final StillLines.Found found = found(
+			movie(Kind.ADDITIVE, t -> List.of(ringed(t), line), 1, 1));
+		assertEquals(1, found.lines().size());
+		assertTrue(SceneSeed.oneWay(found.lines().get(0).frames().get(0).contour().orElseThrow(),
+			line.polyline()) < 0.5);
+	}
+
 	@Test
 	void whereLightDoesNotAddUpNothingIsTakenOff() {
 		assertNone(movie(Kind.SATURATING, t -> List.of(beating(t, 0.5), LINE), 1, 1));
