@@ -239,10 +239,10 @@ record AnchorPath(List<Point> places, double[] weights) {
 
 	/** How far from where those of two frames before and after usually begin, in pixels. */
 	private static double astray(final List<Optional<Chain>> begin, final int t) {
-		final List<Point> near = begin
-			.subList(Math.max(0, t - 2), Math.min(begin.size(), t + 3)).stream()
-			.flatMap(Optional::stream).map(Chain::start).toList();
-		return begin.get(t).map(c -> c.start().distanceTo(RobustStatistics.median(near))).orElse(0.);
+		final List<Point> near = begin.subList(Math.max(0, t - 2), Math.min(begin.size(), t + 3))
+			.stream().flatMap(Optional::stream).map(Chain::start).toList();
+		return begin.get(t).map(c -> c.start().distanceTo(RobustStatistics.median(near)))
+			.orElse(0.);
 	}
 
 	/**

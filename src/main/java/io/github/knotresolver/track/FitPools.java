@@ -1,13 +1,10 @@
 package io.github.knotresolver.track;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
-import java.util.TreeMap;
-import java.util.stream.IntStream;
 
 import io.github.knotresolver.candidate.CandidateSet;
 import io.github.knotresolver.contour.ContourBuilder;
@@ -57,8 +54,12 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 	 * @return one of both
 	 */
 	FitPools orStill(final FitPools still) {
-		final double noise = course.noise();
-		return still.price() < price() + FREEDOM * noise * noise * fits.size() ? still : this;
+		return still.price() < price() + chance() * fits.size() ? still : this;
+	}
+
+	/** How much of a frame's price a place of its own explains of the noise. */
+	private double chance() {
+		return FREEDOM * course.noise() * course.noise();
 	}
 
 	/** @return the fitter of a frame */
@@ -74,6 +75,10 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 	private FilamentFitter fitter(final int t, final Optional<Point> clamp,
 		final FitSettings weights, final int links) {
 		return new FilamentFitter(light.get(t), course.estimate().model(), links, clamp, weights);
+	}
+
+	private double width() {
+		return LineAppearance.FULL_WIDTH * course.estimate().model().sigma();
 	}
 
 	private int links() {
@@ -172,16 +177,6 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 		return pool.fits();
 	}
 
-	/** A contour whose fixed end was set free, and how much cheaper that made it. */
-	private record Freed(Chain chain, double moved, double gain, double perPixel) {
-
-		/** Both its ends must tell: what lies beyond one is worth no more than the line is. */
-		boolean isJump(final double width, final double usual) {
-			return moved > width && gain > Math.max(TrackTuning.JUMPED, perPixel * moved)
-				&& gain > TrackTuning.JUMPED_UNUSUAL * usual;
-		}
-	}
-
 	/**
 	 * The same, but in frames in which the fixed end jumped it is where their own picture has it.
 	 * Set free, a contour of known length lies where the light is; a jump of less than three frames,
@@ -194,23 +189,13 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 	FitPools withJumps(final Workers workers, final Progress progress) {
 		if (settings.freeLength())
 			return this;
-		final List<Optional<Freed>> freed = workers.map("Setting the fixed end free", progress,
-			fits.size(), t -> freed(t, false));
-		final double usual = RobustStatistics.upperMedian(
-			freed.stream().flatMap(Optional::stream).mapToDouble(Freed::gain).toArray(), 0);
-		final double width = LineAppearance.FULL_WIDTH * course.estimate().model().sigma();
-		final SortedMap<Integer, Point> jumps = new TreeMap<>();
-		for (int t = 0; t < freed.size(); t++)
-			if (freed.get(t).filter(f -> f.isJump(width, usual)).isPresent())
-				jumps.put(t, freed.get(t).get().chain.start());
+		final FreedEnds freed = freed(false, workers, progress);
+		final SortedMap<Integer, Point> jumps = freed.jumps(width());
 		if (jumps.isEmpty())
 			return this;
 		final FitPools moved = with(course.withAnchor(course.anchor().withJumps(jumps)), fits);
-		return with(moved.course,
-			workers.map(fits.size(),
-				t -> jumps.containsKey(t)
-					? moved.jumped(t, freed.get(t).orElseThrow().chain)
-					: fits.get(t)));
+		return with(moved.course, workers.map(fits.size(),
+			t -> jumps.containsKey(t) ? moved.jumped(t, freed.chain(t)) : fits.get(t)));
 	}
 
 	/**
@@ -229,40 +214,20 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 		final boolean still = course.anchor().range() == 0;
 		if (still && (!doubtful || settings.freeLength()))
 			return course;
-		final List<Optional<Freed>> freed = workers.map("Setting the fixed end free", progress,
-			fits.size(), t -> freed(t, !still));
-		return still && !isElsewhere(freed)
+		final FreedEnds freed = freed(!still, workers, progress);
+		return still && !freed.areElsewhere(chance())
 			? course
-			: course.withAnchor(
-				course.anchor().refined(freed.stream().map(f -> f.map(Freed::chain)).toList()));
+			: course.withAnchor(course.anchor().refined(freed.chains()));
 	}
 
-	private boolean isElsewhere(final List<Optional<Freed>> freed) {
-		final List<Freed> all = freed.stream().flatMap(Optional::stream).toList();
-		final double noise = course.noise();
-		return !all.isEmpty()
-			&& RobustStatistics.median(all.stream().mapToDouble(Freed::gain)
-				.toArray()) > TrackTuning.SURELY_ELSEWHERE * FREEDOM * noise * noise
-			&& (isNearby(all) || drifts(freed));
-	}
-
-	private static boolean isNearby(final List<Freed> all) {
-		return all.stream().filter(f -> f.moved < TrackTuning.STILL_SKELETON)
-			.count() > TrackTuning.NEAR_STILL * all.size()
-			&& AnchorPath.moves(all.stream().map(f -> f.chain.start()).toList(),
-				TrackTuning.STILL_END);
-	}
-
-	/** A stage takes the fixed end along, one way; what lies beside it does not. */
-	private static boolean drifts(final List<Optional<Freed>> freed) {
-		final int[] seen = IntStream.range(0, freed.size()).filter(t -> freed.get(t).isPresent())
-			.toArray();
-		return AnchorPath.drifts(Arrays.stream(seen).asDoubleStream().toArray(),
-			Arrays.stream(seen).mapToObj(t -> freed.get(t).orElseThrow().chain.start()).toList());
+	private FreedEnds freed(final boolean anyLength, final Workers workers,
+		final Progress progress) {
+		return new FreedEnds(workers.map("Setting the fixed end free", progress, fits.size(),
+			t -> freed(t, anyLength)));
 	}
 
 	/** The cheapest contour of a frame, or the graph's best, if it begins where it likes. */
-	private Optional<Freed> freed(final int t, final boolean anyLength) {
+	private Optional<FreedEnds.Freed> freed(final int t, final boolean anyLength) {
 		return fits.get(t).stream().min(Comparator.comparingDouble(Fit::energy)).map(best -> {
 			final FilamentFitter free = fitter(t, Optional.empty(),
 				settings.withFreeLength(anyLength || settings.freeLength()), links());
@@ -277,26 +242,14 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 					FitProposals.stiffLinks(links()));
 				final Chain start = new FitProposals(frames.get(t), course.in(t), links(), false)
 					.start(seen.get());
-				final Fit own = rightWayRound(
+				final Fit own = FreedEnds.rightWayRound(
 					free.fit(FitProposals.bent(start, stiff), Optional.empty()), place, free);
 				freed = own.energy() < freed.energy() ? own : freed;
 			}
-			return new Freed(freed.chain(), freed.chain().start().distanceTo(place),
+			return new FreedEnds.Freed(freed.chain(), freed.chain().start().distanceTo(place),
 				free.price(best.chain()).energy() - freed.energy(),
 				-freed.light() / freed.chain().length());
 		});
-	}
-
-	/**
-	 * Light seldom tells at which end a contour begins: one that is hardly dearer from its other end
-	 * begins there if that is where the fixed end is known to be.
-	 */
-	static Fit rightWayRound(final Fit fit, final Point place, final FilamentFitter free) {
-		final Chain turned = fit.chain().reversed();
-		if (turned.start().distanceTo(place) > TrackTuning.STILL_SKELETON)
-			return fit;
-		final Fit other = free.price(turned);
-		return other.energy() < fit.energy() + TrackTuning.JUMPED ? other : fit;
 	}
 
 	private List<Fit> jumped(final int t, final Chain freed) {
@@ -360,7 +313,7 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 
 	private List<Fit> exchanged(final int t, final int chosen) {
 		final Fit fit = fits.get(t).get(chosen);
-		final double width = LineAppearance.FULL_WIDTH * course.estimate().model().sigma();
+		final double width = width();
 		final double seen = TrackTuning.STRANDS_SEEN * width;
 		final FitProposals proposals = new FitProposals(frames.get(t), course.in(t), links(),
 			settings.freeLength());

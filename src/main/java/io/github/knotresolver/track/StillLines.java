@@ -126,7 +126,7 @@ public final class StillLines {
 	private static Chain straight(final SceneLine still, final Chain line) {
 		final Polyline way = new StraightWay(still.frames().get(0).light(),
 			LineAppearance.FULL_WIDTH * still.tables().model().sigma(), SceneTuning.STILL_BRIGHT)
-				.of(line.polyline());
+			.of(line.polyline());
 		return Chain.inScene(way, way.length());
 	}
 

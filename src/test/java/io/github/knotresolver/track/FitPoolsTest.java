@@ -301,11 +301,11 @@ class FitPoolsTest {
 		final FilamentFitter free = new FilamentFitter(drawn.frame(3), LINE,
 			FilamentEstimator.links(LENGTH), Optional.empty(), FitSettings.DEFAULT);
 		final Fit wrong = free.fit(right.reversed(), Optional.empty());
-		final Fit turned = FitPools.rightWayRound(wrong, right.start(), free);
+		final Fit turned = FreedEnds.rightWayRound(wrong, right.start(), free);
 		assertTrue(turned.chain().start().distanceTo(right.start()) < 0.5);
 		assertEquals(wrong.energy(), turned.energy(), 0.1);
 		final Point elsewhere = new Point(right.start().x() + 5, right.start().y());
-		assertSame(wrong, FitPools.rightWayRound(wrong, elsewhere, free));
+		assertSame(wrong, FreedEnds.rightWayRound(wrong, elsewhere, free));
 	}
 
 	@Test

@@ -35,9 +35,8 @@ class StraightWayTest {
 	private static Polyline bent(final double most) {
 		final double[] x = IntStream.rangeClosed(10, 110).asDoubleStream().toArray();
 		return Polyline.of(x,
-			IntStream.rangeClosed(10, 110)
-				.mapToDouble(i -> height(i)
-					- (i > 30 && i < 70 ? most * Math.sin(Math.PI * (i - 30) / 40) : 0))
+			IntStream.rangeClosed(10, 110).mapToDouble(
+				i -> height(i) - (i > 30 && i < 70 ? most * Math.sin(Math.PI * (i - 30) / 40) : 0))
 				.toArray());
 	}
 
