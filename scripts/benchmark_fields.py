@@ -1,12 +1,19 @@
 """Whole fields in the benchmark: conditions one at a time, and scenes of several filaments; called by benchmark.py."""
 
 import os
+import pathlib
 import re
+import subprocess
 
 CURVES = ("L20_d25", "L15_d50", "L30_d50")
 # A filament that is a ring with its tip on it in all frames; each of these was lost or silently wrong, and some are lost.
 RING = "L10_d100"
 RING_CONDITIONS = ("base", "drift10", "field512", "hot", "clipped", "dimtip", "photons10")
+# Filaments of our own simulator, {name: (length in um, motors per um2, seed)}, and what was lost or silently wrong of them.
+SIMULATED = {"L10_d50": (10, 50, 11), "L25_d75": (25, 75, 16)}
+SIMULATED_CONDITIONS = {"L10_d50": ("drift10",), "L25_d75": ("drift10", "static_cross")}
+SIMULATED_PIXEL = .1  # um
+APART = (RING, *SIMULATED)
 FOREIGN = ("static_cross", "glide_cross", "neigh1", "neigh3")
 # The published method takes most of a large field for filament and thins it for minutes.
 NOT_PUBLISHED = ("field512", "field1024")
@@ -28,19 +35,38 @@ def render_conditions(folder, pattern):
     import conditions
     import render
     found = []
-    for curves in (*CURVES, RING):
-        for condition in RING_CONDITIONS if curves == RING else conditions.CONDS:
+    listed = dict.fromkeys(CURVES, conditions.CONDS) | {RING: RING_CONDITIONS} | SIMULATED_CONDITIONS
+    for curves, wanted in listed.items():
+        for condition in wanted:
             name = f"{condition}_{curves}"
             if not re.search(pattern, name):
                 continue
             base = folder / name
             tiff, truth = base.with_suffix(".tif"), folder / f"{name}_gt.csv"
             if not tiff.exists():
-                stack, curve, pixel, interval = conditions.movie(condition, os.path.join(conditions.HERE, "curves", curves + ".npz"))
+                points = simulated(folder, curves) if curves in SIMULATED else os.path.join(conditions.HERE, "curves", curves + ".npz")
+                stack, curve, pixel, interval = conditions.movie(condition, str(points))
                 render.write_tiff(str(tiff), stack, pixel=pixel, interval=interval)
                 conditions.write_gt(str(truth), curve)
             found.append((name, str(tiff), str(truth)))
     return found
+
+
+def simulated(folder, name):
+    """The file with a simulated filament's curves, as those of the benchmark are."""
+    import numpy as np
+    import render
+    import score
+    points = folder / f"{name}.npz"
+    if not points.exists():
+        length, density, seed = SIMULATED[name]
+        subprocess.run([pathlib.Path(__file__).parent / "knotresolver", "simulate", "--out", folder / name, "--length", str(length), "--density",
+                        str(density), "--seed", str(seed), "--pixel-size", str(SIMULATED_PIXEL)], check=True, stdout=subprocess.DEVNULL)
+        curves = score.read_curves(str(folder / name / "contours.csv"))
+        links = round(length / SIMULATED_PIXEL)
+        even = [render.resample(c, np.hypot(*np.diff(c, axis=0).T).sum() / links) for _, c in sorted(curves.items())]
+        np.savez(points, points=np.array(even) * SIMULATED_PIXEL)
+    return points
 
 
 def render_scenes(folder, bench, pattern):
@@ -103,7 +129,7 @@ def condition_scores(movies, folder, runs, mode):
         figures = conditions.score(truth, str(result / "contours.csv"))
         figures["seconds"] = float(runs[mode, name]["seconds"])
         figures["filaments"] = best_filament(truth, result)[1]
-        scores.setdefault(name if name.endswith(RING) else name.rsplit("_L", 1)[0], []).append(figures)
+        scores.setdefault(name if name.endswith(APART) else name.rsplit("_L", 1)[0], []).append(figures)
     mean = lambda values: float(np.mean(values)) if values else None
     return [(condition, {key: mean([f[key] for f in listed if f[key] is not None]) for key, _ in CONDITION_COLUMNS})
             for condition, listed in scores.items()]
@@ -113,7 +139,7 @@ def conditions_section(movies, folder, runs, modes, markdown, text):
     import conditions
     curves = [c for c in CURVES if any(name.endswith(c) for name, *_ in movies)]
     out = ["## Conditions, one at a time\n",
-           f"Physical light (`bench/conditions.py`, 60 frames), mean over the curves {', '.join(curves)}, and of {RING} by itself; `breaks`, `leaves` and others as "
+           f"Physical light (`bench/conditions.py`, 60 frames), mean over the curves {', '.join(curves)}, and of {RING} and of our simulated {', '.join(SIMULATED)} by themselves; `breaks`, `leaves` and others as "
            "`conditions.py list` tells. Said wrong: frames whose\nstatus is `resolved` and whose contour is wrong; silent: those of them with "
            f"confidence above {SURE:g}; percent of all frames. Filaments: how many the result has;\nthe one that agrees best with the truth counts. "
            "The published method is not run on the large fields, where it thins for minutes.\n"]
@@ -121,7 +147,7 @@ def conditions_section(movies, folder, runs, modes, markdown, text):
         scores = condition_scores(movies, folder, runs, mode)
         if not scores:
             continue
-        rows = [[c, conditions.CONDS[c.removesuffix(f"_{RING}")], *(text(form, figures[key]) for key, form in CONDITION_COLUMNS)] for c, figures in scores]
+        rows = [[c, conditions.CONDS[c.rsplit("_L", 1)[0]], *(text(form, figures[key]) for key, form in CONDITION_COLUMNS)] for c, figures in scores]
         judged = [j for name, _, truth in movies if (mode, name) in runs for j in judged_frames(truth, folder / mode / name)]
         sure = [ok for c, ok in judged if c > SURE]
         share = f"{100 * sum(sure) / len(sure):.2f} %" if sure else "none"
