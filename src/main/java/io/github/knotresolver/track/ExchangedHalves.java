@@ -34,7 +34,7 @@ final class ExchangedHalves {
 		final Progress progress) {
 		this.line = line;
 		measure = new SceneLengths(line, weights);
-		exchanges = new TailExchanges(line, weights, progress, true);
+		exchanges = new TailExchanges(line, weights, workers, progress, true);
 		this.workers = workers;
 		this.progress = progress;
 	}

@@ -171,7 +171,7 @@ public final class SceneResolver {
 		final List<PricedPass> passes = passes(line, weights, looks, looks.all(workers, progress));
 		if (passes.isEmpty())
 			return Optional.empty();
-		final List<Settled> followed = new TailExchanges(line, weights, progress)
+		final List<Settled> followed = new TailExchanges(line, weights, workers, progress)
 			.checked(new JoinedPieces(line, weights, workers, progress)
 				.joined(settled(line, weights, passes)));
 		if (onlyScenes && isOneClamped(line, followed))

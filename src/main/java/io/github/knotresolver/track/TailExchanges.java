@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import io.github.knotresolver.fit.Chain;
 import io.github.knotresolver.fit.Scene;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.track.SceneSettler.Settled;
 
 /**
@@ -23,21 +24,24 @@ final class TailExchanges {
 
 	private final SceneLine line;
 	private final SceneWeights weights;
+	private final Workers workers;
 	private final Progress progress;
 	private final boolean thorough;
 
-	TailExchanges(final SceneLine line, final SceneWeights weights, final Progress progress) {
-		this(line, weights, progress, false);
+	TailExchanges(final SceneLine line, final SceneWeights weights, final Workers workers,
+		final Progress progress) {
+		this(line, weights, workers, progress, false);
 	}
 
 	/**
 	 * @param thorough whether two are looked at however seldom they touch, and fitted to the end: it is
 	 *          known that they were exchanged somewhere
 	 */
-	TailExchanges(final SceneLine line, final SceneWeights weights, final Progress progress,
-		final boolean thorough) {
+	TailExchanges(final SceneLine line, final SceneWeights weights, final Workers workers,
+		final Progress progress, final boolean thorough) {
 		this.line = line;
 		this.weights = weights;
+		this.workers = workers;
 		this.progress = progress;
 		this.thorough = thorough;
 	}
@@ -71,10 +75,17 @@ final class TailExchanges {
 	PricedPair course(final List<Settled> filaments, final int i, final int j) {
 		final List<Settled> checked = new ArrayList<>(filaments);
 		double price = check(checked, i, j);
-		for (int t = 0; t < line.frames().size(); t++)
-			price += pair(filaments, i, j, t).price(filaments.get(i).chains().get(t),
-				filaments.get(j).chains().get(t));
+		for (final PairFit.Two two : priced(filaments, i, j))
+			price += two.price();
 		return new PricedPair(checked, price);
+	}
+
+	/** The two in every frame, priced. */
+	private List<PairFit.Two> priced(final List<Settled> filaments, final int i, final int j) {
+		return workers.map(line.frames().size(), t -> {
+			final Chain a = filaments.get(i).chains().get(t), b = filaments.get(j).chains().get(t);
+			return new PairFit.Two(a, b, pair(filaments, i, j, t).price(a, b));
+		});
 	}
 
 	/** The two in a frame, taken out. */
@@ -89,29 +100,19 @@ final class TailExchanges {
 
 	/** Exchanges two where that is cheaper; what their motion costs and the exchanges gain. */
 	private double check(final List<Settled> filaments, final int i, final int j) {
-		final int n = line.frames().size();
-		final List<List<Exchanged>> others = new ArrayList<>();
-		int possible = 0;
-		for (int t = 0; t < n; t++) {
-			final List<Exchanged> other = mayTouch(filaments, i, j, t)
-				? exchanged(filaments, i, j, t)
-				: List.<Exchanged>of();
-			others.add(other);
-			possible += other.isEmpty() ? 0 : 1;
-		}
+		final List<List<Exchanged>> others = workers.map(line.frames().size(),
+			t -> exchanged(filaments, i, j, t));
+		final long possible = others.stream().filter(o -> !o.isEmpty()).count();
 		return possible >= SceneTuning.EXCHANGE_FEWEST || thorough
 			? decide(filaments, i, j, others)
 			: 0;
 	}
 
-	private boolean mayTouch(final List<Settled> filaments, final int i, final int j, final int t) {
-		final Chain a = filaments.get(i).chains().get(t), b = filaments.get(j).chains().get(t);
-		return a.start().distanceTo(b.start()) < a.length() + b.length()
-			&& !exchanges(a, b).isEmpty();
-	}
-
+	/** What two chains are with their tails exchanged, or their heads; nothing if they are far apart. */
 	private static List<PairFit.Two> exchanges(final Chain a, final Chain b) {
-		return TailSwap.everywhere(a, b, SceneTuning.EXCHANGE_LENGTH);
+		return a.start().distanceTo(b.start()) < a.length() + b.length()
+			? TailSwap.everywhere(a, b, SceneTuning.EXCHANGE_LENGTH)
+			: List.of();
 	}
 
 	/**
@@ -121,10 +122,13 @@ final class TailExchanges {
 	private List<Exchanged> exchanged(final List<Settled> filaments, final int i, final int j,
 		final int t) {
 		final Chain a = filaments.get(i).chains().get(t), b = filaments.get(j).chains().get(t);
+		final List<PairFit.Two> possible = exchanges(a, b);
+		if (possible.isEmpty())
+			return List.of();
 		final PairFit pair = pair(filaments, i, j, t);
 		final double before = pair.price(a, b);
 		final List<PairFit.Two> tails = new ArrayList<>(), heads = new ArrayList<>();
-		for (final PairFit.Two p : exchanges(a, b)) {
+		for (final PairFit.Two p : possible) {
 			final double energy = pair.price(p.a(), p.b());
 			final boolean keepsHeads = p.a().start().distanceTo(a.start()) < SceneTuning.END_STAYS
 				&& p.b().start().distanceTo(b.start()) < SceneTuning.END_STAYS;
@@ -158,12 +162,8 @@ final class TailExchanges {
 	void likeNeighbours(final List<Settled> filaments, final int i, final int j) {
 		final int n = line.frames().size();
 		final Settled first = filaments.get(i), second = filaments.get(j);
-		final List<PairFit.Two> two = new ArrayList<>();
-		for (int t = 0; t < n; t++) {
-			final Chain a = first.chains().get(t), b = second.chains().get(t);
-			two.add(new PairFit.Two(a, b, pair(filaments, i, j, t).price(a, b)));
-		}
-		final List<PairFit.Two> before = List.copyOf(two);
+		final List<PairFit.Two> before = priced(filaments, i, j);
+		final List<PairFit.Two> two = new ArrayList<>(before);
 		for (final int step : new int[]{1, -1})
 			for (int t = step > 0 ? 2 : n - 3; t >= 0 && t < n; t += step) {
 				progress.checkCancelled();

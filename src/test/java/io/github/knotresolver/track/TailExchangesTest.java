@@ -20,6 +20,7 @@ import io.github.knotresolver.geometry.Polyline;
 import io.github.knotresolver.graph.SkeletonGraph;
 import io.github.knotresolver.image.Pixels;
 import io.github.knotresolver.progress.Progress;
+import io.github.knotresolver.progress.Workers;
 import io.github.knotresolver.track.SceneSettler.Settled;
 
 /** Two filaments of one length that glide through one point at the same time. */
@@ -83,7 +84,8 @@ class TailExchangesTest {
 		final double[] sure = new double[FRAMES];
 		Arrays.fill(sure, Double.POSITIVE_INFINITY);
 		return new TailExchanges(new SceneLine(LINE, frames, NOISE), SceneWeights.DEFAULT,
-			Progress.NONE).checked(List.of(new Settled(a, sure, 0.1), new Settled(b, sure, 0.1)));
+			Workers.HERE, Progress.NONE)
+			.checked(List.of(new Settled(a, sure, 0.1), new Settled(b, sure, 0.1)));
 	}
 
 	private static void assertStraight(final List<Settled> filaments) {
