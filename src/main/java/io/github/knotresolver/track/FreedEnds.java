@@ -26,7 +26,7 @@ record FreedEnds(List<Optional<Freed>> frames) {
 	 * @param chain the contour
 	 * @param moved how far it begins from where the fixed end was thought to be, in pixels
 	 * @param gain how much cheaper that made it
-	 * @param perPixel light that a pixel of it explains
+	 * @param perPixel the light of it that is explained, in strands squared per pixel
 	 */
 	record Freed(Chain chain, double moved, double gain, double perPixel) {
 
@@ -90,12 +90,13 @@ record FreedEnds(List<Optional<Freed>> frames) {
 				TrackTuning.STILL_END);
 	}
 
-	/** A stage takes the fixed end along, one way; what lies beside it does not. */
+	/** A stage takes the fixed end along, one way, which a few frames do not tell. */
 	private boolean drift() {
 		final int[] seen = IntStream.range(0, frames.size()).filter(t -> frames.get(t).isPresent())
 			.toArray();
-		return AnchorPath.drifts(Arrays.stream(seen).asDoubleStream().toArray(),
-			Arrays.stream(seen).mapToObj(this::start).toList());
+		return seen.length >= TrackTuning.SETTLING
+			&& AnchorPath.drifts(Arrays.stream(seen).asDoubleStream().toArray(),
+				Arrays.stream(seen).mapToObj(this::start).toList());
 	}
 
 	/** The contours, in every frame. */

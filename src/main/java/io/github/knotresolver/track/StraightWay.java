@@ -28,13 +28,11 @@ record StraightWay(NormalizedFrame light, double width, double bright) {
 		final List<Point> points = new ArrayList<>();
 		for (int i = 0; i < curve.size(); i++)
 			points.add(curve.point(i));
-		for (int span = points.size() - 1; span > 1; span--)
+		for (int span = points.size() - 1; span > 1; span = Math.min(span, points.size()) - 1)
 			for (int i = 0; i + span < points.size(); i++)
 				if (isBent(points.subList(i, i + span + 1))
-					&& isBright(points.get(i), points.get(i + span))) {
+					&& isBright(points.get(i), points.get(i + span)))
 					points.subList(i + 1, i + span).clear();
-					span = Math.min(span, points.size() - 1);
-				}
 		return Polyline.of(points);
 	}
 

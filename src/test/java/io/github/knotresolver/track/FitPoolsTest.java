@@ -287,6 +287,17 @@ class FitPoolsTest {
 		}
 	}
 
+	@Test
+	void aFewFramesDoNotTellThatItDrifts() {
+		final List<Optional<FreedEnds.Freed>> drift = IntStream.range(0, 9)
+			.mapToObj(t -> Optional.of(
+				new FreedEnds.Freed(TRUTH.get(0).shifted(2. * t, -t), Math.hypot(2 * t, t), 1, 1)))
+			.toList();
+		assertTrue(new FreedEnds(drift).areElsewhere(0.01));
+		assertFalse(new FreedEnds(drift.subList(0, 4)).areElsewhere(0.01));
+		assertFalse(new FreedEnds(drift).areElsewhere(1));
+	}
+
 	/** Skeletons would have seen that; a filament beside it takes contours with it. */
 	@Test
 	void oneThatSeemsToGoFarAndComeBackIsNot() {
