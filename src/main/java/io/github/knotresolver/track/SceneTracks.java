@@ -111,18 +111,19 @@ public record SceneTracks(LineModel model, List<Filament> filaments, boolean inP
 				observed.get(k).add(observation(frame, here.get(k), confidence));
 			}
 		}
-		final List<Filament> filaments = new ArrayList<>();
+		final List<Filament> found = new ArrayList<>();
 		final Specks specks = Specks.of(chains, line.tables().model().sigma());
 		boolean inPieces = false;
 		for (int k = 0; k < usual.length; k++)
 			if (!specks.has(chains.get(k))) {
 				inPieces |= specks.stayBeside(chains.get(k));
-				filaments.add(new Filament(ends.get(k).clamped(), ends.get(k).roams(),
+				found.add(new Filament(ends.get(k).clamped(), ends.get(k).roams(),
 					chains.get(k).get(0).length(), settled.get(k).lengthError(),
 					specks.doubted(chains.get(k),
 						ends.get(k).doubted(SceneConfidence.together(observed.get(k))))));
 			}
-		filaments.sort(ORDER);
+		found.sort(ORDER);
+		final List<Filament> filaments = PartsOfOne.doubted(found);
 		final List<String> notes = new ArrayList<>(new DoubtfulEpisodes(filaments).notes());
 		notes.addAll(specks.notes());
 		return new SceneTracks(line.tables().model(), filaments, inPieces, notes);
