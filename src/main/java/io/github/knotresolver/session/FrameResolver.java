@@ -51,6 +51,7 @@ final class FrameResolver {
 	private final List<FrameView> frames;
 	private final Point fixedEnd;
 	private final int binning;
+	private final boolean alone;
 	/** Our method, once it has looked at the movie. */
 	private Optional<Optional<FitSolver>> solver = Optional.empty();
 
@@ -60,14 +61,17 @@ final class FrameResolver {
 	 * @param frames the frames to resolve, in order, at least one
 	 * @param fixedEnd the fixed end in pixels
 	 * @param binning edge of a pixel in pixels of the movie
+	 * @param alone whether nothing speaks for other filaments in the movie
 	 */
 	FrameResolver(final Settings parameters, final Set<LineModel.Kind> kinds,
-		final List<FrameView> frames, final Point fixedEnd, final int binning) {
+		final List<FrameView> frames, final Point fixedEnd, final int binning,
+		final boolean alone) {
 		this.parameters = parameters;
 		this.kinds = kinds;
 		this.frames = frames;
 		this.fixedEnd = fixedEnd;
 		this.binning = binning;
+		this.alone = alone;
 	}
 
 	/**
@@ -104,7 +108,9 @@ final class FrameResolver {
 
 	private FitResolver fits(final CandidateGenerator proposer, final Workers workers,
 		final Progress progress) {
-		return new FitResolver(proposer, kinds, parameters.lengthModel(), workers, progress);
+		final FitResolver fits = new FitResolver(proposer, kinds, parameters.lengthModel(), workers,
+			progress);
+		return alone ? fits : fits.besideOthers();
 	}
 
 	/** What works on skeletons knows whole contours only. */

@@ -76,7 +76,8 @@ final class SolvedMovie {
 		final Optional<SceneTracks> told = alone ? Optional.empty() : told(scenes, whole, settings);
 		if (told.isPresent())
 			return new SolvedMovie(movie, prepared, still.lines(), told, Optional.empty());
-		final FrameResolver single = single(movie, prepared, settings, scenes, placed);
+		final FrameResolver single = single(movie, prepared, settings, scenes, scene.isEmpty(),
+			placed);
 		final boolean undecided = scene.isPresent() || alone && settings.deliversAll();
 		final Optional<Track> one = undecided
 			? single.resolve(List.of(), workers, placed)
@@ -143,7 +144,8 @@ final class SolvedMovie {
 	}
 
 	private static FrameResolver single(final Movie movie, final PreparedMovie prepared,
-		final Settings settings, final SceneResolver scenes, final Progress progress) {
+		final Settings settings, final SceneResolver scenes, final boolean alone,
+		final Progress progress) {
 		final Settings working = prepared.pixels().of(settings);
 		progress.report("Looking for the fixed end", 0);
 		settings.fixedEnd()
@@ -153,7 +155,7 @@ final class SolvedMovie {
 			.orElseGet(() -> new FixedEndFinder(frames, progress).find()
 				.orElseThrow(() -> nothingFound(movie, settings)));
 		return new FrameResolver(working, prepared.kinds(), frames, fixedEnd,
-			prepared.pixels().binning());
+			prepared.pixels().binning(), alone);
 	}
 
 	/** The frames without the light of filaments that are not meant. */

@@ -54,7 +54,8 @@ final class ClampedAgain {
 
 	private Optional<Settled> follow(final List<FrameView> frames, final Point clamp) {
 		return new FitResolver(TrailCandidates.DEFAULT, Set.of(line.tables().model().kind()),
-			LengthModel.AUTO, workers, progress).learn(frames, clamp, OptionalDouble.empty())
+			LengthModel.AUTO, workers, progress).besideOthers()
+			.learn(frames, clamp, OptionalDouble.empty())
 			.map(s -> s.solve(List.of(), workers, progress)).flatMap(ClampedAgain::settled);
 	}
 

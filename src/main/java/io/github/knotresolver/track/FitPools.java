@@ -206,16 +206,17 @@ record FitPools(List<FrameView> frames, List<NormalizedFrame> light, FilamentCou
 	 * open, or farther and farther one way.
 	 *
 	 * @param doubtful whether little says that it moves, or stays
+	 * @param mayDrift whether one that was thought to stay may go far
 	 * @param workers threads
 	 * @param progress asked whether to stop
 	 */
-	FilamentCourse withAnchorOfAll(final boolean doubtful, final Workers workers,
-		final Progress progress) {
+	FilamentCourse withAnchorOfAll(final boolean doubtful, final boolean mayDrift,
+		final Workers workers, final Progress progress) {
 		final boolean still = course.anchor().range() == 0;
 		if (still && (!doubtful || settings.freeLength()))
 			return course;
 		final FreedEnds freed = freed(!still, workers, progress);
-		return still && !freed.areElsewhere(chance())
+		return still && !freed.areElsewhere(chance(), mayDrift)
 			? course
 			: course.withAnchor(course.anchor().refined(freed.chains()));
 	}

@@ -43,6 +43,8 @@ public final class FitResolver {
 	private final Set<LineModel.Kind> kinds;
 	private final FilamentLearner learner;
 	private final LengthModel lengths;
+	/** Whether nothing else is in the movie, so that what carries the fixed end along is the stage. */
+	private final boolean alone;
 	private final Workers workers;
 	private final Progress progress;
 
@@ -55,12 +57,29 @@ public final class FitResolver {
 	 */
 	public FitResolver(final CandidateGenerator generator, final Set<LineModel.Kind> kinds,
 		final LengthModel lengths, final Workers workers, final Progress progress) {
+		this(generator, kinds, lengths, true, workers, progress);
+	}
+
+	private FitResolver(final CandidateGenerator generator, final Set<LineModel.Kind> kinds,
+		final LengthModel lengths, final boolean alone, final Workers workers,
+		final Progress progress) {
 		this.generator = generator;
 		this.kinds = EnumSet.copyOf(kinds);
 		learner = new FilamentLearner(this.kinds, lengths, workers, progress);
 		this.lengths = lengths;
+		this.alone = alone;
 		this.workers = workers;
 		this.progress = progress;
+	}
+
+	/**
+	 * The same for a filament beside others, which may glide: a fixed end that seems to go far, one
+	 * way, may be one of theirs.
+	 *
+	 * @return another resolver, with the same threads
+	 */
+	public FitResolver besideOthers() {
+		return new FitResolver(generator, kinds, lengths, false, workers, progress);
 	}
 
 	/**
@@ -122,7 +141,7 @@ public final class FitResolver {
 		final FitTrellis.Solved solved = first.solved(progress);
 		if (solved.elsewhere() == 0 || lengths != LengthModel.AUTO)
 			return first.withLengthOfAll(workers, progress);
-		final FitResolver free = new FitResolver(generator, kinds, LengthModel.FREE, workers,
+		final FitResolver free = new FitResolver(generator, kinds, LengthModel.FREE, alone, workers,
 			progress);
 		return Lengths.found(new FitSolver(free.pools(seen)).solved(progress), seen.course())
 			.stream().map(course -> steadyIfAsGood(seen.withCourse(course)).solver)
@@ -179,7 +198,7 @@ public final class FitResolver {
 		final FitPools best = seen.endIsDoubtful() && seen.course().anchor().range() > 0
 			? first.orStill(proposed(seen.frames(), seen.still()))
 			: first;
-		final FilamentCourse settled = best.withAnchorOfAll(seen.endIsDoubtful(), workers,
+		final FilamentCourse settled = best.withAnchorOfAll(seen.endIsDoubtful(), alone, workers,
 			progress);
 		return new FitPools(best.frames(), best.light(), settled, best.sets(), pools(best.light(),
 			settled,

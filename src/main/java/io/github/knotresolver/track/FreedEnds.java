@@ -74,12 +74,13 @@ record FreedEnds(List<Optional<Freed>> frames) {
 	 * leave open, or farther and farther one way.
 	 *
 	 * @param chance how much cheaper noise makes a contour that is not held
+	 * @param mayDrift whether it may be farther than skeletons leave open
 	 */
-	boolean areElsewhere(final double chance) {
+	boolean areElsewhere(final double chance, final boolean mayDrift) {
 		final double[] gains = gains();
 		return gains.length > 0
 			&& RobustStatistics.median(gains) > TrackTuning.SURELY_ELSEWHERE * chance
-			&& (areNearby() || drift());
+			&& (areNearby() || mayDrift && drift());
 	}
 
 	private boolean areNearby() {

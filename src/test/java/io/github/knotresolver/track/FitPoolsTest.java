@@ -228,7 +228,7 @@ class FitPoolsTest {
 	void aFixedEndThatMovesIsWhereContoursBeginThatAreNotHeld() {
 		final IntFunction<Point> drift = t -> new Point(0.4 * t, -0.2 * t);
 		final FitPools held = held(drift, t -> new Point(1.4, -1));
-		final AnchorPath settled = held.withAnchorOfAll(false, Workers.HERE, Progress.NONE)
+		final AnchorPath settled = held.withAnchorOfAll(false, true, Workers.HERE, Progress.NONE)
 			.anchor();
 		for (int t = 0; t < TRUTH.size(); t++) {
 			final double begins = off(held.fits().get(t).get(0).chain().start(), t, drift);
@@ -241,7 +241,7 @@ class FitPoolsTest {
 	@Test
 	void aFixedEndThatSurelyStaysIsNotAskedWhereItIs() {
 		final FitPools still = jittering(1.5);
-		assertSame(still.course(), still.withAnchorOfAll(false, Workers.HERE, Progress.NONE));
+		assertSame(still.course(), still.withAnchorOfAll(false, true, Workers.HERE, Progress.NONE));
 	}
 
 	/** Frames in which the fixed end jitters by so many pixels, and was thought to stay. */
@@ -267,7 +267,8 @@ class FitPoolsTest {
 	void aFixedEndThatJittersIsFollowedIfItStayedByLittle() {
 		final FitPools held = jittering(2);
 		assertEquals(0, held.course().anchor().range());
-		final AnchorPath settled = held.withAnchorOfAll(true, Workers.HERE, Progress.NONE).anchor();
+		final AnchorPath settled = held.withAnchorOfAll(true, true, Workers.HERE, Progress.NONE)
+			.anchor();
 		for (int t = 0; t < TRUTH.size(); t++) {
 			final int frame = t;
 			final double off = off(settled.at(t), t, i -> jitter(frame, 2));
@@ -280,7 +281,7 @@ class FitPoolsTest {
 	void oneThatDriftsIsFollowedHoweverFar(final double by) {
 		final IntFunction<Point> drift = t -> new Point(by * t, -0.6 * by * t);
 		final AnchorPath settled = thoughtStill(drift)
-			.withAnchorOfAll(true, Workers.HERE, Progress.NONE).anchor();
+			.withAnchorOfAll(true, true, Workers.HERE, Progress.NONE).anchor();
 		for (int t = 0; t < TRUTH.size(); t++) {
 			final double off = off(settled.at(t), t, drift);
 			assertTrue(off < 0.8, "frame " + t + ": " + off + " px");
@@ -293,16 +294,18 @@ class FitPoolsTest {
 			.mapToObj(t -> Optional.of(
 				new FreedEnds.Freed(TRUTH.get(0).shifted(2. * t, -t), Math.hypot(2 * t, t), 1, 1)))
 			.toList();
-		assertTrue(new FreedEnds(drift).areElsewhere(0.01));
-		assertFalse(new FreedEnds(drift.subList(0, 4)).areElsewhere(0.01));
-		assertFalse(new FreedEnds(drift).areElsewhere(1));
+		assertTrue(new FreedEnds(drift).areElsewhere(0.01, true));
+		assertFalse(new FreedEnds(drift.subList(0, 4)).areElsewhere(0.01, true));
+		assertFalse(new FreedEnds(drift).areElsewhere(1, true));
+		// Beside others, a glider's end goes one way, too.
+		assertFalse(new FreedEnds(drift).areElsewhere(0.01, false));
 	}
 
 	/** Skeletons would have seen that; a filament beside it takes contours with it. */
 	@Test
 	void oneThatSeemsToGoFarAndComeBackIsNot() {
 		final FitPools held = jittering(6);
-		assertSame(held.course(), held.withAnchorOfAll(true, Workers.HERE, Progress.NONE));
+		assertSame(held.course(), held.withAnchorOfAll(true, true, Workers.HERE, Progress.NONE));
 	}
 
 	@Test
@@ -322,7 +325,7 @@ class FitPoolsTest {
 	@Test
 	void oneThatStaysIsNotFollowedByChance() {
 		final FitPools held = jittering(0.2);
-		assertSame(held.course(), held.withAnchorOfAll(true, Workers.HERE, Progress.NONE));
+		assertSame(held.course(), held.withAnchorOfAll(true, true, Workers.HERE, Progress.NONE));
 	}
 
 	@Test
