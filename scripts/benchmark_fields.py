@@ -3,7 +3,6 @@
 import os
 import pathlib
 import re
-import subprocess
 
 CURVES = ("L20_d25", "L15_d50", "L30_d50")
 # A filament that is a ring with its tip on it in all frames; each of these was lost or silently wrong, and some are lost.
@@ -12,7 +11,6 @@ RING_CONDITIONS = ("base", "drift10", "field512", "hot", "clipped", "dimtip", "p
 # Filaments of our own simulator, {name: (length in um, motors per um2, seed)}, and what was lost or silently wrong of them.
 SIMULATED = {"L10_d50": (10, 50, 11), "L25_d75": (25, 75, 16)}
 SIMULATED_CONDITIONS = {"L10_d50": ("drift10",), "L25_d75": ("drift10", "static_cross")}
-SIMULATED_PIXEL = .1  # um
 APART = (RING, *SIMULATED)
 FOREIGN = ("static_cross", "glide_cross", "neigh1", "neigh3")
 # The published method takes most of a large field for filament and thins it for minutes.
@@ -56,16 +54,13 @@ def simulated(folder, name):
     """The file with a simulated filament's curves, as those of the benchmark are."""
     import numpy as np
     import render
-    import score
+    import simulated_curves
     points = folder / f"{name}.npz"
     if not points.exists():
         length, density, seed = SIMULATED[name]
-        subprocess.run([pathlib.Path(__file__).parent / "knotresolver", "simulate", "--out", folder / name, "--length", str(length), "--density",
-                        str(density), "--seed", str(seed), "--pixel-size", str(SIMULATED_PIXEL)], check=True, stdout=subprocess.DEVNULL)
-        curves = score.read_curves(str(folder / name / "contours.csv"))
-        links = round(length / SIMULATED_PIXEL)
-        even = [render.resample(c, np.hypot(*np.diff(c, axis=0).T).sum() / links) for _, c in sorted(curves.items())]
-        np.savez(points, points=np.array(even) * SIMULATED_PIXEL)
+        curves = simulated_curves.simulate(pathlib.Path(__file__).parent.parent, length, density, seed)
+        links = round(length / simulated_curves.PIXEL)
+        np.savez(points, points=np.array([render.resample(c, np.hypot(*np.diff(c, axis=0).T).sum() / links) for c in curves]))
     return points
 
 

@@ -1,9 +1,7 @@
 """Table and figure of docs/simulation.md; called by scripts/compare-simulation."""
 
 import pathlib
-import subprocess
 import sys
-import tempfile
 
 import matplotlib
 
@@ -11,8 +9,9 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+from simulated_curves import simulate
+
 SEEDS = (1, 2, 3)
-PIXEL = 0.1  # um
 STEP = 0.2  # um between points when shapes are measured: the longest published link
 SHOWN = range(0, 120, 10)
 FIGURES = (
@@ -61,17 +60,6 @@ def measure(curves, interval=2.5):
     first = crossing.argmax() + 1 if crossing.any() else np.nan
     return (np.median(turns), turns.max(), np.median(radius), radius.min(), crossing.sum(), first,
             np.median(speed), np.median(span), np.ptp(clamp) / (2 * np.pi))
-
-
-def simulate(root, length, density, seed):
-    with tempfile.TemporaryDirectory() as folder:
-        out = pathlib.Path(folder, "movie")
-        subprocess.run([root / "scripts/knotresolver", "simulate", "--out", out, "--length",
-                        str(length), "--density", str(density), "--seed", str(seed), "--pixel-size",
-                        str(PIXEL), "--snr", "inf"], check=True, stdout=subprocess.DEVNULL,
-                       stderr=subprocess.DEVNULL)
-        rows = np.loadtxt(out / "contours.csv", delimiter=",", skiprows=1)
-    return [rows[rows[:, 0] == f, 2:4] * PIXEL for f in range(1, 121)]
 
 
 def cell(values, form):

@@ -122,9 +122,9 @@ record AnchorPath(List<Point> places, double[] weights) {
 	private boolean moves(final List<Seen> seen) {
 		if (seen.size() < TrackTuning.SETTLING)
 			return moves(places, TrackTuning.STILL_SKELETON);
-		return moves(seen.stream().map(s -> s.chain().start()).toList(), TrackTuning.STILL_END)
-			|| drifts(seen.stream().mapToDouble(Seen::index).toArray(),
-				seen.stream().map(s -> s.chain().start()).toList());
+		final List<Point> ends = seen.stream().map(s -> s.chain().start()).toList();
+		return moves(ends, TrackTuning.STILL_END)
+			|| drifts(seen.stream().mapToDouble(Seen::index).toArray(), ends);
 	}
 
 	/**

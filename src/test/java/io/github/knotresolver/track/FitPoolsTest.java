@@ -233,9 +233,8 @@ class FitPoolsTest {
 		for (int t = 0; t < TRUTH.size(); t++) {
 			final double begins = off(held.fits().get(t).get(0).chain().start(), t, drift);
 			assertTrue(begins > 1, "held, frame " + t + ": " + begins + " px");
-			final double off = off(settled.at(t), t, drift);
-			assertTrue(off < 0.8, "frame " + t + ": " + off + " px");
 		}
+		assertFollows(settled, drift);
 	}
 
 	@Test
@@ -269,9 +268,12 @@ class FitPoolsTest {
 		assertEquals(0, held.course().anchor().range());
 		final AnchorPath settled = held.withAnchorOfAll(true, true, Workers.HERE, Progress.NONE)
 			.anchor();
+		assertFollows(settled, t -> jitter(t, 2));
+	}
+
+	private static void assertFollows(final AnchorPath settled, final IntFunction<Point> carried) {
 		for (int t = 0; t < TRUTH.size(); t++) {
-			final int frame = t;
-			final double off = off(settled.at(t), t, i -> jitter(frame, 2));
+			final double off = off(settled.at(t), t, carried);
 			assertTrue(off < 0.8, "frame " + t + ": " + off + " px");
 		}
 	}
@@ -282,10 +284,7 @@ class FitPoolsTest {
 		final IntFunction<Point> drift = t -> new Point(by * t, -0.6 * by * t);
 		final AnchorPath settled = thoughtStill(drift)
 			.withAnchorOfAll(true, true, Workers.HERE, Progress.NONE).anchor();
-		for (int t = 0; t < TRUTH.size(); t++) {
-			final double off = off(settled.at(t), t, drift);
-			assertTrue(off < 0.8, "frame " + t + ": " + off + " px");
-		}
+		assertFollows(settled, drift);
 	}
 
 	@Test
